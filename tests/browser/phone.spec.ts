@@ -30,7 +30,7 @@ test('a phone shows drawing, playback, program and status together, with no over
   await context.close();
 });
 
-test('light, and dark by the system or by choice', async ({ page }, info) => {
+test('light and dark mode follow the system or the setting', async ({ page }, info) => {
   const ground = () => page.locator('body').evaluate((body) => getComputedStyle(body).backgroundColor);
   await open(page);
   await page.screenshot({ path: info.outputPath('wide.png') });

@@ -40,7 +40,7 @@ test('by keyboard, the blocks at the cursor are listed first', async ({ page }) 
   await expect(problems(page)).not.toContainText('error');
 });
 
-test('a program without such moves shows an example of them', async ({ page }) => {
+test('for a program without such moves, the dialog explains which moves are needed', async ({ page }) => {
   await open(page, '#s001-o0002');
   await button(page).click();
   await expect(dialog(page)).toContainText('No plain moves of this program');

@@ -1,5 +1,5 @@
-// Sharing: the dialog makes links, and what a link opens is what was shared. A broken link gives a message and takes
-// nothing away. What a link holds has tests of its own, in `links.spec.ts`.
+// Sharing: the dialog makes links, and a link restores exactly the shared state. A broken link shows a message and
+// changes nothing. `links.spec.ts` tests the content of links.
 import { expect, test, type Locator, type Page } from './engines';
 import { openHtml, programOf, settled } from './embedded';
 import { random, randomState, storedLinks } from './links';
@@ -7,11 +7,11 @@ import { clipboard, editor, open, openFile, type, value } from './page';
 import { linkOf, NOTHING_SAID, openedLink, type Shared } from '../../www/src/files/shared-link';
 
 const OWN = 'O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nX32\nG00 X100 Z100\nM30\n';
-/** Of the pupils of a class. */
+/** Answers of the pupils of a class. */
 const ANSWERS = ['G90 X32 Z-20 F0.2', 'G90 X38 Z-20 F0.2', 'G01 X32 F0.2'];
 const MESSAGE = /^(This link|This address|The program of this link)/;
 
-/** What the element has of a shared state. */
+/** The attributes and text of the element that are shared. */
 interface State {
   readonly text: string;
   readonly setup: string | null;
@@ -62,7 +62,7 @@ const state = (page: Page): Promise<State> =>
 const shareButton = (page: Page) => page.getByRole('button', { name: /^(Share…|分享…|Поделиться…)$/ });
 const output = (page: Page) => page.getByRole('textbox', { name: 'To copy' });
 
-/** Opens the dialog, and gives the link once it is made. */
+/** Opens the dialog, and returns the link once it is made. */
 async function link(page: Page): Promise<string> {
   await shareButton(page).click();
   await expect.poll(() => page.locator('#share-output').inputValue()).toContain('#share=1.');
@@ -76,19 +76,19 @@ async function named(name: string): Promise<string> {
   return made.kind === 'link' ? made.link : '';
 }
 
-/** As somebody else opens it, whose browser has nothing of the page. */
+/** Opens a link in another browser, with empty storage. */
 async function openElsewhere(page: Page, address: string): Promise<void> {
   await page.evaluate(() => localStorage.clear());
   await page.goto('about:blank');
   await open(page, address.slice(address.indexOf('#')));
 }
 
-/** Another address in the page that is there. */
+/** Changes the fragment of the URL in the open page. */
 async function go(page: Page, hash: string): Promise<void> {
   await page.evaluate((hash) => void (location.hash = hash), hash);
 }
 
-test('what is shared is what opens: program, setup, control and switches', async ({ page }) => {
+test('a link restores program, setup, control and switches', async ({ page }) => {
   await open(page, '#s002-g121-square');
   await page.locator('gcode-playground').evaluate((element) => {
     element.setAttribute('block-skip', '1,3');
@@ -117,7 +117,7 @@ test('a file keeps its name and its line ends', async ({ page }) => {
   expect(before.file?.name).toBe('вал 7.nc');
 });
 
-test('the tool stands where it stood, in the language it was shared in', async ({ page }) => {
+test('a link restores the position of the tool and the language', async ({ page }) => {
   await open(page);
   await page.getByRole('combobox', { name: 'Language' }).selectOption('ru');
   const playground = page.locator('gcode-playground');
@@ -134,12 +134,12 @@ test('the tool stands where it stood, in the language it was shared in', async (
   await openElsewhere(page, await page.locator('#share-output').inputValue());
   expect(await state(page)).toMatchObject({ language: 'ru', step: '7', readonly: true });
   expect(await playground.evaluate((element) => (element as unknown as Playground).currentStep())).toBe('7');
-  // One button makes it a program like any other.
+  // A button makes it an editable program.
   await page.getByRole('button', { name: 'Открыть для правки' }).click();
   expect(await state(page)).toMatchObject({ readonly: false, view: 'all', step: null });
 });
 
-test('before a dwell that is the last motion the tool stands at the end of the motion before it', async ({ page }) => {
+test('before a final dwell, the tool is at the end of the previous motion', async ({ page }) => {
   await open(page);
   const step = await page.locator('gcode-playground').evaluate(async (element) => {
     const playground = element as unknown as Playground;
@@ -152,9 +152,7 @@ test('before a dwell that is the last motion the tool stands at the end of the m
   expect(step).toBe('2');
 });
 
-test('before the last motion the tool stands at the end of the one before it, also when that is shared', async ({
-  page,
-}) => {
+test('before the last motion, the tool is at the end of the previous one, also from a link', async ({ page }) => {
   await open(page);
   const steps = await page.locator('gcode-playground').evaluate(async (element) => {
     const playground = element as unknown as Playground;
@@ -168,13 +166,11 @@ test('before the last motion the tool stands at the end of the one before it, al
     }
     return steps;
   });
-  // At the end of the last motion all of the path is shown.
+  // At the end of the last motion the whole path is shown.
   expect(steps).toEqual(['2', '2', null]);
 });
 
-test('a place of the tool that is taken back before it was taken does not keep the element waiting', async ({
-  page,
-}) => {
+test('a step that is removed before it is applied does not keep the element waiting', async ({ page }) => {
   await open(page);
   const settled = page.locator('gcode-playground').evaluate(async (element) => {
     const playground = element as unknown as Playground;
@@ -185,7 +181,7 @@ test('a place of the tool that is taken back before it was taken does not keep t
   expect(await settled).toBeGreaterThan(0);
 });
 
-test('a program in an open page is kept and offered when a link is opened there', async ({ page }) => {
+test('opening a link in an open page stores the current program, and offers it', async ({ page }) => {
   await open(page);
   await type(page, OWN);
   await expect.poll(() => value(page)).toBe(OWN);
@@ -213,7 +209,7 @@ test('every stored link opens in the page', async ({ page }) => {
   }
 });
 
-test('broken, cut, newer and hostile links give a message and take nothing away', async ({ page }) => {
+test('broken, truncated, newer and hostile links show a message and change nothing', async ({ page }) => {
   await open(page);
   await type(page, OWN);
   await expect.poll(() => value(page)).toBe(OWN);
@@ -246,13 +242,13 @@ test('broken, cut, newer and hostile links give a message and take nothing away'
     try {
       location.hash = `#share=1.1999990.z${'A'.repeat(1_999_980)}`;
     } catch {
-      // Firefox itself takes no address of more than 1,048,576 characters.
+      // Firefox itself rejects URLs of more than 1,048,576 characters.
       location.hash = `#share=1.1019990.z${'A'.repeat(1_019_980)}`;
     }
   });
   await expect(page.getByText(/This link is [\d,]+ characters long/)).toBeVisible();
   expect(await state(page)).toEqual(before);
-  // What unpacks to hundreds of millions is stopped.
+  // Decompression to hundreds of millions of characters is stopped.
   await page.evaluate(async () => {
     const bytes = new Uint8Array(
       await new Response(
@@ -271,14 +267,14 @@ test('broken, cut, newer and hostile links give a message and take nothing away'
   });
   await expect(page.getByText(/longer than 4,000,000 bytes/)).toBeVisible();
   expect(await state(page)).toEqual(before);
-  // Whoever loads the page with such an address has what was there, too.
+  // Loading the page with such a URL restores the previous program, too.
   await go(page, good.slice(0, -5));
   await page.reload();
   await expect(page.getByText(/^This link is not complete: 5 characters missing/)).toBeVisible();
   await expect.poll(() => value(page)).toBe(OWN);
 });
 
-test('the element, the frame and the Markdown that are copied show the program', async ({ page }) => {
+test('the copied element, frame and Markdown show the program', async ({ page }) => {
   await open(page);
   const home = await page.evaluate(() => location.href.replace(/#.*/, ''));
   const own = 'O0001 (A<B & "C" </pre></script> *D* [E](F))\n\nT0101\nG97 S800 M03\nG00 X42 Z2\nG01 Z-20 F0.2\nM30';
@@ -330,7 +326,7 @@ test('the element, the frame and the Markdown that are copied show the program',
   });
 });
 
-test('what does not fit is said: a QR code, and a link', async ({ page }) => {
+test('the page reports when a QR code or a link would be too long', async ({ page }) => {
   await open(page);
   const next = random(2);
   const noise = (length: number): string =>
@@ -357,8 +353,10 @@ test('what does not fit is said: a QR code, and a link', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Copy', exact: true })).toBeDisabled();
 });
 
-test('a teacher gives a class a task by a link, and gets links back', { tag: '@night' }, async ({ page }) => {
-  // The teacher writes the solution, and takes out what the class is to find.
+test('a teacher gives a class a task by link, and receives links to the answers', { tag: '@night' }, async ({
+  page,
+}) => {
+  // The teacher writes the solution, and removes the part that the class has to find.
   await open(page);
   await type(page, OWN);
   await expect.poll(() => value(page)).toBe(OWN);
@@ -366,7 +364,7 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
     .locator('gcode-playground')
     .evaluate((element) => element.setAttribute('setup', '{"stock":{"diameter":42,"length":60}}'));
   await shareButton(page).click();
-  // A class reads it in the languages it has chosen, and so do those who read the answers.
+  // The class and the readers of the answers use the languages they have chosen.
   await expect(page.getByLabel('Opens in English')).toBeChecked();
   await page.getByLabel('As a task').check();
   await expect(page.getByLabel('Opens in English')).not.toBeChecked();
@@ -386,7 +384,7 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
 
   const returned: string[] = [];
   for (const answer of ANSWERS) {
-    // Each pupil has a browser of their own.
+    // Each pupil has a separate browser.
     await openElsewhere(page, task);
     await expect(page.getByText('Task: Turn the shoulder to X32 with G90.')).toBeVisible();
     await expect.poll(() => page.locator('#link-bar p').textContent()).toContain('G90.\nAt most');
@@ -399,11 +397,11 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
     await page.keyboard.insertText(answer);
     const work = begin.replace('\n\n', `\n${answer}\n`);
     await expect.poll(() => value(page)).toBe(work);
-    // Looking at the solution leaves the pupil's program as it is.
+    // Showing the solution does not change the pupil's program.
     await page.getByRole('button', { name: 'Show solution' }).click();
     await expect(page.getByRole('region', { name: 'Solution', exact: true })).toContainText('G90 X36');
     expect(await value(page)).toBe(work);
-    // So does coming back another day, by the same link.
+    // The same link on another day does not change it either.
     await expect(page.getByText('This began as the program of a link')).toBeVisible();
     await page.reload();
     await expect.poll(() => value(page)).toBe(work);
@@ -411,7 +409,7 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
     await page.goto('about:blank');
     await open(page, task.slice(task.indexOf('#')));
     await expect.poll(() => value(page)).toBe(work);
-    // The address of the browser is still the task: what is handed in is the link of the bar.
+    // The URL in the browser is still the task; the link to hand in is the one of the bar.
     expect(await page.evaluate(() => location.href)).toBe(task);
     const name = `Anna ${returned.length + 1}`;
     await page.getByRole('textbox', { name: 'Your name' }).fill(name);
@@ -420,11 +418,11 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
     await expect.poll(() => clipboard(page)).toMatch(/#share=1\.\S+$/);
     returned.push(await clipboard(page));
   }
-  // Once there is more to hand in, nothing says that it was copied.
+  // The "copied" message disappears when there is a newer answer.
   await editor(page).focus();
   await page.keyboard.insertText('(X)');
   await expect(page.locator('#link-bar').getByText('Copied', { exact: true })).toHaveCount(0);
-  // The teacher opens one after the other.
+  // The teacher opens the answers in order.
   for (const [at, answer] of ANSWERS.entries()) {
     await openElsewhere(page, returned[at] ?? '');
     const { text, setup, language } = await state(page);
@@ -435,7 +433,7 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
     await expect(page.getByText(`From: Anna ${at + 1}`)).toBeVisible();
     expect(await titleOf(page)).toMatch(new RegExp(`^Anna ${at + 1} · `));
   }
-  // The part of each answer is laid over that of the solution, in one tab.
+  // Each answer is compared with the solution, in one tab.
   const solution = await linkOf({ ...NOTHING_SAID, text: OWN, setup: '{"stock":{"diameter":42,"length":60}}' });
   await openElsewhere(page, solution.kind === 'link' ? solution.link : '');
   await page.getByRole('button', { name: 'Keep this part to compare' }).click();
@@ -447,13 +445,13 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
       .evaluate(async (element) => void (await (element as unknown as Playground).settled));
     await expect(page.getByText('Same as the kept part')).toHaveCount(same);
   }
-  // A teacher who reads another language keeps it.
+  // A teacher who uses another language keeps it.
   await page.getByRole('combobox', { name: 'Language' }).selectOption('ru');
   await go(page, (returned[0] ?? '').replace(/^.*?#/, '#'));
   await expect(page.getByText('От: Anna 1')).toBeVisible();
   expect(await titleOf(page)).toMatch(/^Anna 1 · /);
   expect((await state(page)).language).toBe('ru');
-  // The program can be changed; the name is said of no other one.
+  // The program can be edited; the name is only shown for the answer.
   await editor(page).focus();
   await page.keyboard.insertText('(Y)');
   await expect.poll(() => value(page)).toContain('(Y)');
@@ -463,9 +461,7 @@ test('a teacher gives a class a task by a link, and gets links back', { tag: '@n
   expect(await titleOf(page)).not.toContain('Anna');
 });
 
-test('what was written for a task is kept when the dialog is closed, until the program is another one', async ({
-  page,
-}) => {
+test('a draft of a task is kept when the dialog is closed, until the program is replaced', async ({ page }) => {
   await open(page);
   await type(page, OWN);
   await expect.poll(() => value(page)).toBe(OWN);
@@ -491,13 +487,13 @@ test('what was written for a task is kept when the dialog is closed, until the p
   await expect(start).toHaveValue('G00 X1\n');
 });
 
-// WebKit's window has at least 447 px.
+// The minimum width of WebKit's window is 447 px.
 for (const [width, height] of [
   [1280, 800],
   [1280, 600],
   [480, 844],
 ] as const) {
-  test(`the QR code of a task is seen whole, with its length and "Close": ${width} × ${height}`, async ({
+  test(`the QR code of a task is fully visible, with its length and "Close": ${width} × ${height}`, async ({
     page,
   }, info) => {
     await page.setViewportSize({ width, height });
@@ -512,7 +508,7 @@ for (const [width, height] of [
     await shareButton(page).click();
     await page.getByLabel('As a task').check();
     await page.getByLabel('What is to be done').fill('Turn the shoulder');
-    // Once something was copied, the buttons are where they were.
+    // After copying, the buttons have not moved.
     await expect(page.getByRole('button', { name: 'Copy', exact: true })).toBeEnabled();
     await page.getByRole('button', { name: 'Copy', exact: true }).click();
     await whole(page.getByText('Copied', { exact: true }));
@@ -524,14 +520,14 @@ for (const [width, height] of [
     await whole(page.locator('.share .length'));
     await whole(page.getByRole('button', { name: 'Close', exact: true }));
     await page.screenshot({ path: info.outputPath('qr.png') });
-    // Nothing of the dialog lies over it, and it is large enough for a camera.
+    // Nothing in the dialog covers it, and it is large enough for a camera.
     const [box, buttons] = [await code.boundingBox(), await page.locator('.share .actions').boundingBox()];
     expect((box?.y ?? 0) + (box?.height ?? 0)).toBeLessThanOrEqual(buttons?.y ?? 0);
     expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(300);
   });
 }
 
-test('a name in a link is a text, on one line, and turns nothing around', async ({ page }) => {
+test('a name in a link is plain text, on one line, and cannot change the text direction', async ({ page }) => {
   const name = ' \u202e<b>Eve</b>\nTask: <img src=x onerror="document.title=1"> ';
   await open(page);
   await go(page, await named(name));
@@ -539,13 +535,13 @@ test('a name in a link is a text, on one line, and turns nothing around', async 
   await expect.poll(() => bar.textContent()).toContain('From: <b>Eve</b> Task: <img src=x onerror="document.title=1">');
   await expect(bar.locator('b, img')).toHaveCount(0);
   expect(await titleOf(page)).toBe('<b>Eve</b> Task: <img src=x onerror="document.title=1"> · G-code playground');
-  // Of a name without a letter nothing is said.
+  // A name without a letter is not shown.
   await go(page, await named('\u202e \n'));
   await expect.poll(() => titleOf(page)).toBe('G-code playground');
   await expect(bar).toBeHidden();
 });
 
-test('where the browser refuses to copy, the link to hand in is shown and selected', async ({ page }) => {
+test('if copying is forbidden, the link to hand in is shown and selected', async ({ page }) => {
   await page.addInitScript(() => {
     Object.defineProperty(navigator, 'clipboard', { value: undefined });
     const before = document.execCommand.bind(document);
@@ -569,7 +565,7 @@ test('where the browser refuses to copy, the link to hand in is shown and select
   await expect(page.getByText('From: Аня')).toBeVisible();
 });
 
-test('a link to hand in that takes long to make is copied all the same', async ({ page }) => {
+test('a link to hand in that takes long to make is still copied', async ({ page }) => {
   await page.addInitScript(() => {
     const read = ReadableStreamDefaultReader.prototype.read;
     ReadableStreamDefaultReader.prototype.read = async function <T>(this: ReadableStreamDefaultReader<T>) {
@@ -588,7 +584,7 @@ test('a link to hand in that takes long to make is copied all the same', async (
   await expect(page.getByText('From: Аня')).toBeVisible();
 });
 
-test('a page that begins with an address of no example says so, and shows the program of before or the first example', async ({
+test('a URL with an unknown example is reported, and the previous program or the first example is shown', async ({
   page,
 }) => {
   await open(page, '#zz-nonexistent');
@@ -603,7 +599,7 @@ test('a page that begins with an address of no example says so, and shows the pr
   expect(await value(page)).toBe(OWN);
 });
 
-test('the solution of a task opens beside it', async ({ page }) => {
+test('the solution of a task opens beside the program', async ({ page }) => {
   const stored = storedLinks().find(({ what }) => what === 'a task');
   await open(page, stored?.link);
   await expect.poll(() => value(page)).toBe(stored?.opens.text);
@@ -615,7 +611,7 @@ test('the solution of a task opens beside it', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Показать решение' })).toHaveCount(0);
 });
 
-test('an element in a page opens in the playground with all it is run with', async ({ page }) => {
+test('an element opens in the playground with all of its settings', async ({ page }) => {
   await openHtml(
     page,
     `<!doctype html><html lang="ru"><script type="module" src="../../element.js"></script><body>
@@ -644,23 +640,23 @@ test('an element in a page opens in the playground with all it is run with', asy
     view: 'all',
     setup: '{"stock":{"diameter":60,"length":80},"program":2}',
   });
-  // The page is the playground.
+  // The page itself is the playground and has no such link.
   await expect(page.getByRole('link', { name: 'Открыть в песочнице' })).toHaveCount(0);
 });
 
 test(
-  'random states are shared and opened: the same text, setup and picture',
+  'random states survive sharing and opening: the same text, setup and picture',
   { tag: '@night' },
   async ({ page }, { project }) => {
     test.setTimeout(1_200_000);
-    // PLAYGROUND_STATES says how many.
+    // PLAYGROUND_STATES sets the number of states.
     const count = Number(process.env['PLAYGROUND_STATES'] ?? (project.name === 'chromium' ? 120 : 30));
     const next = random(22);
     const states = Array.from({ length: count }, () => randomState(next));
     await open(page);
     const shared: { readonly address: string; readonly state: State; readonly picture: string }[] = [];
     for (const one of states) shared.push(await page.evaluate(shareOne, one as never));
-    // Backwards, so that each takes the place of another than the one it was made beside.
+    // In reverse order, so that each state replaces another one than when it was shared.
     for (const [at, { address, state, picture }] of [...shared.entries()].reverse()) {
       const opened = await page.evaluate(openOne, address);
       expect(opened.state, `${at}: ${address}`).toEqual({ ...state, text: state.text });
@@ -669,7 +665,7 @@ test(
   },
 );
 
-/** In the page: makes a state, and shares it by the dialog. */
+/** Runs in the page: sets a state, and shares it with the dialog. */
 async function shareOne(one: Shared): Promise<{ address: string; state: State; picture: string }> {
   const playground = document.querySelector('gcode-playground') as unknown as Playground;
   const { view, step, readonly, text, file, language, ...context } = one;
@@ -731,7 +727,7 @@ async function shareOne(one: Shared): Promise<{ address: string; state: State; p
   };
 }
 
-/** In the page: opens a link. */
+/** Runs in the page: opens a link. */
 async function openOne(address: string): Promise<{ state: State; picture: string }> {
   const playground = document.querySelector('gcode-playground') as unknown as Playground;
   const before = location.hash;
@@ -742,7 +738,7 @@ async function openOne(address: string): Promise<{ state: State; picture: string
     location.hash = hash;
     await arrived;
   }
-  // Unpacking takes a moment; the origin says when the program is there.
+  // Decompression is asynchronous; the origin changes when the program has been replaced.
   while (playground.origin !== '#program') await new Promise((done) => setTimeout(done, 1));
   await playground.settled;
   const { opened, setup, control, blockSkip, program, language, view, readonly } = playground;

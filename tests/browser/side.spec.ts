@@ -1,4 +1,5 @@
-// The side of the work in a picture of its own: what G07.1 mills and live tools drill there, chosen by keys, picked in, in each language.
+// The unrolled side of the part in a separate picture: G07.1 milling and live-tool drilling, chosen by keyboard,
+// picking, in each language.
 import { expect, test, type Page } from './engines';
 import { editor, open, tooltip, type } from './page';
 
@@ -8,7 +9,7 @@ interface Playground extends HTMLElement {
 }
 
 const STOCK = '(STOCK D=60 LENGTH=60)\n';
-/** A groove of 10 mm, once around; line 11 goes on to C300. */
+/** A groove of 10 mm around the whole part; line 11 ends at C300. */
 const GROOVE = `${STOCK}(TOOL T0101 TYPE=ENDMILL CUTTER=5)
 M45
 T0101
@@ -25,7 +26,7 @@ G07.1 C0
 G00 X100 Z50
 M30
 `;
-/** Four holes of 8 mm a quarter of a turn apart, on lines 6 to 9. */
+/** Four holes of 8 mm at every 90 degrees, on lines 6 to 9. */
 const HOLES = `${STOCK}(TOOL T0303 TYPE=DRILL D=8)
 M45
 T0303
@@ -51,7 +52,7 @@ async function place(page: Page, z: number, c: number): Promise<{ clientX: numbe
   );
 }
 
-/** The colour at a place of the picture. */
+/** The colour at a position in the picture. */
 async function colour(page: Page, z: number, c: number): Promise<string> {
   return page.locator('gcode-playground').evaluate(
     async (element, at) => {
@@ -74,7 +75,7 @@ async function colour(page: Page, z: number, c: number): Promise<string> {
   );
 }
 
-test('a groove around the work is shown unrolled, and picked there', async ({ page }) => {
+test('a groove around the part is shown unrolled, and can be picked', async ({ page }) => {
   await open(page, '#s003-g71');
   await expect(page.getByRole('radiogroup', { name: 'View' })).toBeHidden();
   await expect(side(page)).toBeHidden();
@@ -89,7 +90,7 @@ test('a groove around the work is shown unrolled, and picked there', async ({ pa
   expect(await colour(page, -17.5, 52)).toBe(cut);
   expect(await colour(page, -31.5, 205)).toBe(work);
   expect(await colour(page, -40, 205)).not.toBe(cut);
-  // C counts downwards, as seen from outside.
+  // C increases downwards, as seen from outside.
   expect((await place(page, -20, 200)).clientY).toBeGreaterThan((await place(page, -20, 100)).clientY);
 
   const stroke = await place(page, -40, 200);
@@ -110,7 +111,7 @@ test('a groove around the work is shown unrolled, and picked there', async ({ pa
   await expect(page.getByRole('radio', { name: 'Both' })).toBeFocused();
   await expect(section(page)).toBeVisible();
 
-  // The picture is moved and fitted by keys as the others are.
+  // The picture is panned and fitted by keys like the others.
   const before = await place(page, -20, 100);
   await side(page).focus();
   await page.keyboard.press('ArrowLeft');
@@ -126,17 +127,17 @@ const NAMES = {
 } as const;
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
-  test(`holes of live tools are where C takes them: ${locale}`, async ({ page }) => {
+  test(`holes of live tools are at their C positions: ${locale}`, async ({ page }) => {
     const names = NAMES[locale];
     await open(page, '#s003-g71');
     await page.locator('#language').selectOption(locale);
     await type(page, HOLES);
     await expect(page.getByRole('radio', { name: names.side })).toBeVisible();
-    // Beside the lines of the grid.
+    // A position without grid lines.
     const work = await colour(page, -21.5, 47);
     const degrees = (mm: number): number => (mm / 30) * (180 / Math.PI);
     for (const c of [0, 90, 180, 270]) {
-      // 3 mm from the middle in each direction it is a hole, 5 mm from it there is work.
+      // 3 mm from the centre in each direction there is a hole; 5 mm from it there is material.
       for (const [right, down] of [
         [1, 1],
         [1, -1],
@@ -151,7 +152,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     await page.mouse.move(hole.clientX, hole.clientY);
     await expect(tooltip(page)).toContainText(/line 8|第 8 行|строка 8/);
 
-    // With a hole in the face as well there are three pictures.
+    // With a hole in the face there are three pictures.
     await type(page, HOLES.replace('M30', 'G00 X40 Z5 C0\nG98 G83 X40 Z-12 R-3 F100\nG80 G00 X100\nM30'));
     await expect(page.getByRole('radio', { name: names.face })).toBeVisible();
     await page.getByRole('radio', { name: names.all }).click();

@@ -1,7 +1,8 @@
-// Web sites as manuals have them: pages of one origin, and the element's files of the same or another one.
+// Web sites that embed the element like a manual: pages of one origin, and the element's files on the same or another
+// one.
 //
-// In: the folder of the element's files, pages and headers. Out: two servers on this machine, and what a page of theirs
-// reports: by a plain request, which every policy and every sandbox of these tests lets through. Must not know: which tests there are.
+// In: the folder of the element's files, pages and headers. Out: two servers on this machine, and the report of a page,
+// sent by a plain request, which every policy and sandbox of these tests allows. Must not know: which tests there are.
 
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
 import { readFile } from 'node:fs/promises';
@@ -11,26 +12,26 @@ import { listenOnNewPort } from './engines/new-port';
 
 export type Headers = Readonly<Record<string, string>>;
 
-/** What stands on a site. */
+/** Content of a site. */
 export interface Site {
   /** HTML by path: `/index.html`. */
   readonly pages?: Readonly<Record<string, string>>;
-  /** Sent with each page. */
+  /** Headers of each page. */
   readonly pageHeaders?: Headers;
-  /** Where the element's files are: `/embed/`. */
+  /** Path of the element's files: `/embed/`. */
   readonly filesAt?: string;
-  /** Sent with each file. */
+  /** Headers of each file. */
   readonly fileHeaders?: Headers;
-  /** A file of the element that is not there. */
+  /** Files of the element that are missing. */
   readonly missing?: RegExp;
 }
 
-/** A site that is being served. */
+/** A running site. */
 export interface ServedSite {
   readonly origin: string;
-  /** Paths that were asked for, in order. */
+  /** Requested paths, in order. */
   readonly asked: readonly string[];
-  /** What a page has sent to `/report`. */
+  /** The report that a page has sent to `/report`. */
   readonly reported: Promise<string>;
   close(): Promise<void>;
 }
@@ -45,7 +46,7 @@ const TYPES: Headers = {
   '.txt': 'text/plain; charset=utf-8',
 };
 
-/** Serves a site on a port of its own, which makes it an origin of its own. `at` may be called before the port is known. */
+/** Serves a site on a new port and therefore as a separate origin. `at` may be called before the port is known. */
 export async function serve(files: string, site: (origin: string) => Site): Promise<ServedSite> {
   const asked: string[] = [];
   let report: (text: string) => void = () => undefined;

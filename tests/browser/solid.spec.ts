@@ -1,11 +1,11 @@
-// The part as a body: it is drawn when it is opened, turned by keyboard and mouse, follows
-// the tool, and is let go of.
+// The 3D view of the part: rendered when it is opened, rotated by keyboard and mouse, follows the tool, and frees its
+// resources when closed.
 import { expect, type Locator } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
 import { motionCount, open, type } from './page';
 
 test.use({
-  // Pictures are drawn by the processor here: small ones are enough.
+  // WebGL is rendered by the CPU here: small pictures are enough.
   viewport: { width: 800, height: 560 },
   launchOptions: {
     ...(process.env['PLAYGROUND_CHROMIUM'] ? { executablePath: process.env['PLAYGROUND_CHROMIUM'] } : {}),
@@ -25,7 +25,7 @@ const button = (page: ChromiumPage) => page.getByRole('button', { name: 'Show th
 const dialog = (page: ChromiumPage) => page.getByRole('dialog', { name: 'The part, a quarter cut away' });
 const view = (page: ChromiumPage) => dialog(page).getByRole('img', { name: /three dimensions/ });
 
-/** How much of a picture is not its ground, and a number that changes with the picture. */
+/** Share of pixels that differ from the background, and a number that changes with the picture. */
 async function seen(picture: Locator): Promise<{ share: number; sum: number }> {
   const png = (await picture.screenshot()).toString('base64');
   return picture.page().evaluate(async (png) => {
@@ -42,7 +42,7 @@ async function seen(picture: Locator): Promise<{ share: number; sum: number }> {
   }, png);
 }
 
-test('the part is drawn, turned, followed and let go of', async ({ page }) => {
+test('the part is rendered, rotated, follows the tool, and is released', async ({ page }) => {
   const loaded: string[] = [];
   page.on('request', (request) => loaded.push(request.url()));
   await open(page, '#s001-o6003');
@@ -57,7 +57,7 @@ test('the part is drawn, turned, followed and let go of', async ({ page }) => {
   await expect.poll(async () => (await seen(view(page))).share).toBeGreaterThan(0.15);
   const first = await seen(view(page));
 
-  await test.step('by keyboard and mouse', async () => {
+  await test.step('rotated by keyboard and mouse', async () => {
     await page.keyboard.press('ArrowLeft');
     await expect.poll(async () => (await seen(view(page))).sum).not.toBe(first.sum);
     await page.keyboard.press('Home');
@@ -75,8 +75,8 @@ test('the part is drawn, turned, followed and let go of', async ({ page }) => {
     await expect.poll(async () => (await seen(view(page))).sum).toBe(first.sum);
   });
 
-  await test.step('it is the part at the tool', async () => {
-    // The blank: nothing is off before the first cut.
+  await test.step('the part is the one at the current step', async () => {
+    // The blank: nothing is removed before the first cut.
     await page.keyboard.press('F9');
     await expect.poll(async () => (await seen(view(page))).share).toBeGreaterThan(first.share + 0.01);
   });
@@ -92,8 +92,9 @@ test('the part is drawn, turned, followed and let go of', async ({ page }) => {
   });
 });
 
-test('holes of live tools are drawn on the body', async ({ page }) => {
-  // Three in the side, one of them in the face of the cut, and one in the end face; they take nothing off the turned part.
+test('holes of live tools are drawn on the part', async ({ page }) => {
+  // Three holes in the side, one of them in the face of the cut, and one in the end face; they remove nothing from the
+  // turned part.
   const blocks = (side: string, face: string) => `(STOCK D=60 LENGTH=60)
 (TOOL T0303 TYPE=DRILL D=12)
 M45
@@ -123,12 +124,12 @@ M30`;
   }
   const [plain, drilled] = pictures as [(typeof pictures)[0], (typeof pictures)[0]];
   expect(drilled.sum).not.toBe(plain.sum);
-  // The body is where it was.
+  // The part has not moved.
   expect(Math.abs(drilled.share - plain.share)).toBeLessThan(0.02);
 });
 
-test('without a part the dialog says so', async ({ page }) => {
-  // An example that names no blank; without a cut there is none to guess.
+test('without a part the dialog shows a message', async ({ page }) => {
+  // An example without a blank; without a cut, no blank can be assumed.
   await open(page, '#s003-g71');
   await type(page, 'G0 X20 Z2\nM30');
   await expect(status(page)).toContainText('1 motion ');
@@ -136,7 +137,7 @@ test('without a part the dialog says so', async ({ page }) => {
   await expect(dialog(page).getByText('There is no part to show')).toBeVisible();
 });
 
-test('without WebGL the dialog says so, and loads nothing', async ({ page }) => {
+test('without WebGL the dialog shows a message, and loads nothing', async ({ page }) => {
   await page.addInitScript(() => {
     const before = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {

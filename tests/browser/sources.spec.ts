@@ -1,4 +1,4 @@
-// Where an element has its program from: each form that the reference names gives the same text, whenever it comes.
+// Sources of an element's program: each form in the reference gives the same text, whenever it arrives.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test, expect } from './engines';
@@ -9,7 +9,7 @@ const FORMS: readonly Form[] = ['text', 'script', 'pre', 'marked script', 'marke
 
 for (const form of FORMS) {
   for (const ends of ['LF', 'CRLF'] as const) {
-    test(`the program comes whole from: ${form}, ${ends}`, async ({ page }) => {
+    test(`the program is complete from: ${form}, ${ends}`, async ({ page }) => {
       const text = ends === 'LF' ? PROGRAM : PROGRAM.replaceAll('\n', '\r\n');
       await openHtml(page, manual(embed(form, text)));
       await settled(page);
@@ -17,10 +17,10 @@ for (const form of FORMS) {
     });
   }
 
-  test(`the program comes whole while the page is still read: ${form}`, async ({ page }) => {
+  test(`the program is complete while the page is still being parsed: ${form}`, async ({ page }) => {
     const html = embed(form, PROGRAM);
     const at = html.indexOf('SMALL');
-    // The class is there before the element, whose text comes in three pieces.
+    // The class is defined before the element, whose text arrives in three pieces.
     await openInPieces(
       page,
       manual('<p>before</p>').replace('</body></html>', ''),
@@ -33,19 +33,19 @@ for (const form of FORMS) {
   });
 }
 
-/** The blocks of the reference that are HTML with a program in it. */
+/** HTML code blocks of the reference that contain a program. */
 function snippets(): string[] {
   const reference = readFileSync(join(__dirname, '../../www/docs/element.md'), 'utf8');
   const blocks = reference.match(/(?<=\n\n) {4}<.*\n(?:\n* {4}.*\n)*/g) ?? [];
   return blocks.map((block) => block.replace(/^ {4}/gm, '').trim());
 }
 
-test('every snippet of the reference draws what its program says', async ({ page }) => {
+test('every snippet of the reference draws its program', async ({ page }) => {
   const found = snippets().filter((html) => html.includes('G00'));
   expect(found.length).toBeGreaterThan(4);
   for (const html of found) {
     await openHtml(page, manual(html));
-    // One after another is one block.
+    // Several elements in a row are one code block.
     const count = await page.locator('gcode-playground').count();
     for (let which = 0; which < count; which++) {
       await settled(page, which);
@@ -55,7 +55,7 @@ test('every snippet of the reference draws what its program says', async ({ page
   }
 });
 
-test('what stands in a slot is never read as the program', async ({ page }) => {
+test('the content of a slot is never read as the program', async ({ page }) => {
   await openHtml(
     page,
     manual(`
@@ -69,7 +69,7 @@ test('what stands in a slot is never read as the program', async ({ page }) => {
   expect(await programOf(page)).toBe('G00 X5');
 });
 
-test('a picture in a marked program is one for readers without scripts', async ({ page }) => {
+test('a picture in a marked program is a fallback for readers without scripts', async ({ page }) => {
   await openHtml(
     page,
     manual(
@@ -83,7 +83,7 @@ test('a picture in a marked program is one for readers without scripts', async (
   );
 });
 
-test('a setup stands in a script beside the program', async ({ page }) => {
+test('a setup is read from a script beside the program', async ({ page }) => {
   await openHtml(
     page,
     manual(`
@@ -100,7 +100,7 @@ test('a setup stands in a script beside the program', async ({ page }) => {
   expect(await page.locator('gcode-playground').getAttribute('setup')).toBe('{"blockSkip": [1]}');
 });
 
-test('a marked program brings the attributes of the element, and nothing else', async ({ page }) => {
+test('a marked program passes on the attributes of the element, and no others', async ({ page }) => {
   await openHtml(
     page,
     manual(`
@@ -114,7 +114,7 @@ test('a marked program brings the attributes of the element, and nothing else', 
   await expect(page.getByRole('img')).toHaveCount(1);
 });
 
-test('marked programs that come later are upgraded when the page says so', async ({ page }) => {
+test('marked programs that are added later are upgraded on request', async ({ page }) => {
   await openHtml(page, manual('<main></main>'));
   await page.evaluate(async () => {
     document.querySelector('main')!.innerHTML =
@@ -130,7 +130,7 @@ test('marked programs that come later are upgraded when the page says so', async
   expect(await programOf(page)).toBe('G00 X1');
 });
 
-test('properties set before the class is there count', async ({ page }) => {
+test('properties set before the class is defined are applied', async ({ page }) => {
   await openHtml(
     page,
     manual('<gcode-playground view="picture">G00 X1</gcode-playground>')
@@ -147,7 +147,7 @@ test('properties set before the class is there count', async ({ page }) => {
   expect(await element.getAttribute('control')).toBe('gsk');
 });
 
-test('text put in after the element, and changed later, is followed until the reader edits', async ({ page }) => {
+test('text that is added later, and changed, is followed until the user edits', async ({ page }) => {
   await openHtml(page, manual('<main></main>'));
   const change = (text: string): Promise<void> =>
     page.evaluate(async (text) => {
@@ -162,7 +162,7 @@ test('text put in after the element, and changed later, is followed until the re
   expect(await programOf(page)).toBe('G00 X1');
   await change('G01 X22 Z-33 F0.2 (ANOTHER PROGRAM)');
   expect(await programOf(page)).toBe('G01 X22 Z-33 F0.2 (ANOTHER PROGRAM)');
-  // It is the page's own program, whatever it says: its context stays.
+  // It is still the page's own program, with any text: its context is kept.
   expect(await page.locator('gcode-playground').getAttribute('control')).toBe('gsk');
   await settled(page);
   await page.getByRole('textbox', { name: 'Program' }).focus();
@@ -172,7 +172,7 @@ test('text put in after the element, and changed later, is followed until the re
   expect(await programOf(page)).toBe('N1 G01 X22 Z-33 F0.2 (ANOTHER PROGRAM)');
 });
 
-test('an element that is moved, taken out and put back keeps its program', async ({ page }) => {
+test('an element that is moved, removed and inserted again keeps its program', async ({ page }) => {
   await openHtml(
     page,
     manual('<main><gcode-playground view="picture">G00 X1\nG01 Z-5 F0.2</gcode-playground></main><aside></aside>'),
@@ -191,9 +191,9 @@ test('an element that is moved, taken out and put back keeps its program', async
   expect(await programOf(page)).toBe('G00 X1\nG01 Z-5 F0.2');
 });
 
-test('a program that cannot be had is a message within a second', async ({ page }) => {
+test('a program that cannot be loaded is reported within a second', async ({ page }) => {
   await openHtml(page, manual('<gcode-playground view="picture" src="nowhere/at-all.nc"></gcode-playground>'));
-  // The server answers with a page where it has no file: an address that nobody serves is not to be had.
+  // The server returns a page for a missing file, so a URL without a server is used for a failure.
   await page
     .locator('gcode-playground')
     .evaluate((element) => element.setAttribute('src', 'http://127.0.0.1:9/part.nc'));
@@ -201,7 +201,7 @@ test('a program that cannot be had is a message within a second', async ({ page 
   await expect(page.getByRole('alert')).toContainText('http://127.0.0.1:9/part.nc');
   expect(Date.now() - begun).toBeLessThan(1_500);
   await expect(page.getByRole('alert')).toContainText('could not be loaded');
-  // Another address is another try.
+  // A new URL triggers another attempt.
   await page.locator('gcode-playground').evaluate((element) => element.setAttribute('src', 'data:text/plain,G00 X7'));
   await expect.poll(() => programOf(page)).toBe('G00 X7');
   await expect(page.getByRole('alert')).toHaveCount(0);

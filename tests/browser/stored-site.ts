@@ -1,7 +1,7 @@
-// A static server of the built page that knows nothing of it, can be down, can refuse files, and can have another build.
+// A generic static server for the built page, which can be down, refuse files, or serve another build.
 //
-// In: the folder, files that are in place of others. Out: its address. Each is an origin of its own, so nothing is stored
-// of another test. Must not know: which tests there are.
+// In: the folder and replacements for files. Out: its URL. Each server is a separate origin, so no test sees the
+// storage of another one. Must not know: which tests there are.
 
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -12,26 +12,29 @@ import { listenOnNewPort } from './engines/new-port';
 
 export const DIST = join(__dirname, '..', '..', 'www', 'dist');
 
-/** Files that are other ones, by path; `undefined`: it is not there. */
+/** Replaced files by path; `undefined` for a missing file. */
 export type Changes = ReadonlyMap<string, string | undefined>;
 
-/** How a file fails: there is no such file, the connection is closed, or other bytes come, which the browser may keep. */
+/** How a file fails: not found, connection closed, or other bytes, which the browser may cache. */
 export type Refusal = 'missing' | 'closed' | 'corrupted';
 
 export interface StoredSite {
   readonly address: string;
-  /** Paths that were asked for. */
+  /** Requested paths. */
   readonly asked: string[];
-  /** No request is answered any more. */
+  /** Stops answering requests. */
   stop(): Promise<void>;
   start(): Promise<void>;
-  /** From now on the files whose paths match are refused, the last time at an address that matches `last`; without a pattern all are served. */
+  /**
+   * Refuses files whose paths match from now on, for the last time at a URL that matches `last`. Without a pattern, all
+   * files are served again.
+   */
   refuse(pattern?: RegExp, how?: Refusal, last?: RegExp): void;
-  /** From now on another build is served. */
+  /** Serves another build from now on. */
   publish(changes: Changes): void;
 }
 
-/** What servers without any settings say of files. */
+/** Content types of a server with default settings. */
 const TYPES: Readonly<Record<string, string>> = {
   '.html': 'text/html',
   '.js': 'text/javascript',
@@ -91,7 +94,7 @@ export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
   };
 }
 
-/** What the next build of the page would be: its script has another name, its examples another text. */
+/** Simulates the next build of the page: its script has another name, and its examples other texts. */
 export function nextBuild(): Changes {
   const read = (path: string): string => readFileSync(join(DIST, path), 'utf8');
   const hash = (text: string): string => createHash('sha256').update(text).digest('hex').slice(0, 32);
@@ -106,7 +109,7 @@ export function nextBuild(): Changes {
     ],
     [entry, next, read(entry)],
     ['offline/examples.json', 'offline/examples.json', examples],
-    // Scripts that are loaded later import it by its name.
+    // Lazily loaded scripts import it by its name.
     ...readdirSync(join(DIST, 'assets'))
       .map((file) => `assets/${file}`)
       .filter((file) => file !== entry && file.endsWith('.js') && read(file).includes(basename(entry)))

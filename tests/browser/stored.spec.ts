@@ -1,5 +1,5 @@
-// The stored page in two tabs and from any static server; installed; and where a program cannot be kept. In Chromium alone:
-// a second tab, the browser's network, and a server's own program are Playwright's.
+// The stored page in two tabs and from any static server; as an installed app; and with programs that cannot be stored.
+// Only in Chromium: the tests need a second tab, network emulation and a separate server process.
 import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -13,7 +13,7 @@ const AXE = readFileSync(join(DIST, '..', 'node_modules/axe-core/axe.min.js'), '
 
 test.use({
   storing: 'on',
-  // With WebGL, drawn by the processor.
+  // With WebGL, rendered by the CPU.
   launchOptions: {
     ...(process.env['PLAYGROUND_CHROMIUM'] ? { executablePath: process.env['PLAYGROUND_CHROMIUM'] } : {}),
     args: [
@@ -56,7 +56,7 @@ test('two tabs never mix files of two versions', { tag: '@night' }, async ({ pag
   await other.getByRole('button', { name: 'Reload', exact: true }).click();
   await expect.poll(() => build(other).catch(() => '')).toBe('next');
   await expect(status(other)).toContainText(/\d+ motions/);
-  // The first tab goes on with what it has, and hears that there is more; the server has its files no longer.
+  // The first tab continues with its files, and is notified of the update; the server no longer has its files.
   await expect(news(page)).toBeVisible();
   expect(await build(page)).toBe('first');
   await page.getByLabel('Example').selectOption('s003-g71');
@@ -68,7 +68,7 @@ test('two tabs never mix files of two versions', { tag: '@night' }, async ({ pag
   await other.getByLabel('Example').selectOption('s003-g71');
   await expect.poll(() => value(other)).toContain('NEXT');
 
-  // Both versions are kept as long as a tab has begun with them.
+  // Both versions are kept while a tab uses them.
   const versions = () =>
     other.evaluate(
       async () => (await caches.keys()).filter((name) => /^gcode-playground .* [0-9a-f]{32}$/.test(name)).length,
@@ -77,7 +77,7 @@ test('two tabs never mix files of two versions', { tag: '@night' }, async ({ pag
   await page.getByRole('button', { name: 'Later' }).click();
   await expect(news(page)).toBeHidden();
   await page.close();
-  // A tab is taken for one that is being opened for a minute.
+  // For a minute, a tab counts as being opened.
   await other.clock.install();
   await other.evaluate(async () => {
     for (const name of (await caches.keys()).filter((name) => name.endsWith(' tabs'))) {
@@ -93,9 +93,9 @@ test('two tabs never mix files of two versions', { tag: '@night' }, async ({ pag
   await site.stop();
 });
 
-test('what is answered in the middle of an update is not stored', async ({ page }) => {
+test('responses during an update are not cached', async ({ page }) => {
   const site = await storedSite();
-  // The new service worker is there, the new examples are not.
+  // The new service worker is available, the new examples are not.
   const next = nextBuild();
   site.publish(new Map([...next].filter(([path]) => path !== 'offline/examples.json')));
   await visit(page, site.address);
@@ -106,7 +106,7 @@ test('what is answered in the middle of an update is not stored', async ({ page 
   await site.stop();
 });
 
-test('a program that the browser cannot keep is not lost by a reload', { tag: '@night' }, async ({ page }) => {
+test('a reload does not lose a program that the browser cannot store', { tag: '@night' }, async ({ page }) => {
   const site = await storedSite();
   await visitAndStore(page, site);
   site.publish(nextBuild());
@@ -125,7 +125,7 @@ test('a program that the browser cannot keep is not lost by a reload', { tag: '@
   await site.stop();
 });
 
-test('the view in 3D says that the network is missing, and comes with it', async ({ page }) => {
+test('the 3D view reports a missing network, and is shown when it is back', async ({ page }) => {
   await page.route(/service-worker\.js/, (route) => route.abort());
   const site = await storedSite();
   await visit(page, site.address);
@@ -142,14 +142,12 @@ test('the view in 3D says that the network is missing, and comes with it', async
   await site.stop();
 });
 
-test('a zip of the page runs in a sub-folder of a server that knows nothing of it', { tag: '@night' }, async ({
-  page,
-}) => {
+test('a zip of the page runs in a subfolder of a generic static server', { tag: '@night' }, async ({ page }) => {
   const folder = mkdtempSync(join(tmpdir(), 'playground-zip-'));
   let server: ChildProcess | undefined;
   try {
     const zip = join(folder, 'gcode-playground.zip');
-    // As README says, but for the place of the zip.
+    // As in README, except for the path of the zip.
     execFileSync('python3', ['-m', 'zipfile', '-c', zip, 'www/dist'], { cwd: join(DIST, '..', '..') });
     execFileSync('python3', ['-m', 'zipfile', '-e', zip, join(folder, 'some', 'where')]);
     server = spawn('python3', ['-u', '-m', 'http.server', '0', '--bind', '127.0.0.1'], {
@@ -178,7 +176,7 @@ test('a zip of the page runs in a sub-folder of a server that knows nothing of i
   }
 });
 
-test('it can be installed: the manifest is in the language of the page, and files are opened', async ({ page }) => {
+test('the page can be installed, its manifest is in the language of the page, and it opens files', async ({ page }) => {
   await page.addInitScript(() => {
     Object.defineProperty(window, 'launchQueue', {
       value: { setConsumer: (consumer: unknown) => Reflect.set(window, 'launch', consumer) },
@@ -202,7 +200,7 @@ test('it can be installed: the manifest is in the language of the page, and file
     expect(manifest.name).toBe(name);
     for (const { src } of manifest.icons) expect(readFileSync(join(DIST, src)).length).toBeGreaterThan(100);
   }
-  // What Chromium itself finds missing.
+  // Installability errors that Chromium reports.
   const session = await page.context().newCDPSession(page);
   const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
   expect(installabilityErrors.filter(({ errorId }) => errorId !== 'in-incognito')).toEqual([]);
@@ -244,7 +242,7 @@ for (const [locale, colorScheme, said, wanted] of [
   ['zh', 'dark', '可离线使用', '重新加载'],
   ['ru', 'light', 'Работает без сети', 'Обновить'],
 ] as const) {
-  test(`axe finds nothing in what is said of versions and storing, on a phone and on a desk: ${locale}`, {
+  test(`axe finds nothing in notices about versions and storing, on a phone and on a desktop: ${locale}`, {
     tag: locale === 'en' ? [] : '@night',
   }, async ({ browser }) => {
     const context = await browser.newContext({ locale, colorScheme, viewport: { width: 390, height: 844 } });

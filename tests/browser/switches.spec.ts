@@ -1,5 +1,4 @@
-// The switches of the operator's panel: they show where the text has a use for them, and
-// reach the interpreter's setup.
+// The switches of the operator's panel: they are shown if the text uses them, and are part of the interpreter's setup.
 import { expect, test, type Page } from './engines';
 import { open, openFile, status, type } from './page';
 
@@ -14,7 +13,7 @@ interface Setup {
   readonly program?: number;
 }
 
-/** Listens to what the page sends to its worker. */
+/** Records messages of the page to its worker. */
 async function listen(page: Page): Promise<() => Promise<Setup>> {
   await page.addInitScript(() => {
     const post = Worker.prototype.postMessage;
@@ -27,7 +26,9 @@ async function listen(page: Page): Promise<() => Promise<Setup>> {
   return () => page.evaluate(() => JSON.parse(Reflect.get(window, 'lastSetup') as string) as Setup);
 }
 
-test('switches show for the levels and programs of the text, and are put into the setup', async ({ page }, info) => {
+test('switches are shown for the block-skip levels and programs of the text, and are part of the setup', async ({
+  page,
+}, info) => {
   const setup = await listen(page);
   await open(page);
   await expect(page.getByRole('switch')).toHaveCount(0);
@@ -61,7 +62,7 @@ test('switches show for the levels and programs of the text, and are put into th
   await expect(status(page)).toContainText(/\b1 motion/);
   await page.screenshot({ path: info.outputPath('switches.png') });
 
-  await test.step('kept with the text', async () => {
+  await test.step('stored with the text', async () => {
     await page.reload();
     await expect(skip(page, '/')).toHaveAttribute('aria-checked', 'true');
     await expect(skip(page, '/2')).toHaveAttribute('aria-checked', 'false');
@@ -69,7 +70,7 @@ test('switches show for the levels and programs of the text, and are put into th
     expect(await setup()).toMatchObject({ blockSkip: [1], program: 7 });
   });
 
-  await test.step('a chosen program that is gone can be left', async () => {
+  await test.step('a selected program that no longer exists can be deselected', async () => {
     await type(page, 'O0001\nG0 X50 Z2\nM30\n');
     await page.locator('gcode-playground').evaluate((element) => element.setAttribute('program', '7'));
     await expect(chosen(page).getByRole('option')).toHaveText(['O0001', 'O0007 ?']);
@@ -78,14 +79,14 @@ test('switches show for the levels and programs of the text, and are put into th
     await expect(chosen(page)).toHaveCount(0);
   });
 
-  await test.step('another program begins with the switches as it came', async () => {
+  await test.step('another program starts with the default switches', async () => {
     await page.getByRole('button', { name: 'Open the first example' }).click();
     expect(await setup()).not.toHaveProperty('blockSkip');
     expect(await setup()).not.toHaveProperty('program');
   });
 });
 
-test('programs with names are chosen by them', async ({ page }) => {
+test('programs with names are selected by name', async ({ page }) => {
   const setup = await listen(page);
   await open(page);
   await type(page, '<SHAFT-1>\nG0 X50 Z2\nM30\nO<bush>\nG0 X10\nX20\nM30\nO0007<DISC>\nM30\n');
@@ -117,9 +118,8 @@ test('in Chinese and Russian, and from attributes', async ({ page }) => {
   await expect(status(page)).toContainText(/\d/);
 });
 
-test('lines taken out while a long text is still looked through hide no switch', async ({ page }) => {
-  // The worker hears of the change at once, when it has looked at the first lines: a
-  // reader is seldom quick enough.
+test('deleting lines while a long text is still being scanned hides no switch', async ({ page }) => {
+  // The worker gets the change immediately after it has scanned the first lines, earlier than a user could type it.
   await page.addInitScript(() => {
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {

@@ -1,7 +1,7 @@
-// Whatever was there before, and however fast it went: the page shows what a fresh one would.
+// The page always shows the same as a fresh page, whatever it showed before and however fast it was switched.
 //
-// PLAYGROUND_SWITCHING_STEPS, _SEED and _STATES make it longer, or repeat it; a picture of what was
-// wrong is kept in test-results.
+// PLAYGROUND_SWITCHING_STEPS, _SEED and _STATES make the test longer or repeat it; a picture of a failure is stored in
+// test-results.
 import { expect, test } from './engines';
 import { writeFileSync } from 'node:fs';
 import { examples, open } from './page';
@@ -10,26 +10,26 @@ import { freshLoads, fromEnvironment, switching } from './switching/scenario';
 const options = fromEnvironment({ seed: 20, steps: 100, states: 10 });
 const programs = examples.map(({ id }) => id);
 
-test('switching at random always ends at the picture of a fresh start', { tag: '@night' }, async ({ page }, info) => {
+test('switching at random always ends with the picture of a fresh page', { tag: '@night' }, async ({ page }, info) => {
   test.setTimeout(60_000 + 20_000 * options.states + 1_000 * options.steps);
   const keep = (name: string, png: Buffer): void => writeFileSync(info.outputPath(`${name}.png`), png);
   await switching(page, { ...options, programs, keep });
 });
 
-test('a program chosen right after another one is drawn whole', async ({ page }, info) => {
+test('a program chosen right after another one is drawn completely', async ({ page }, info) => {
   test.setTimeout(120_000);
-  // The pool begins with rough turning and the pattern, which was left half cut.
+  // The pool starts with rough turning and the pattern, whose part was once left half cut.
   const keep = (name: string, png: Buffer): void => writeFileSync(info.outputPath(`${name}.png`), png);
   await switching(page, { seed: 3, steps: 30, states: 2, programs, keep });
 });
 
-test('the first program is right after every load', async ({ page }, info) => {
+test('the first program is drawn correctly after every load', async ({ page }, info) => {
   test.setTimeout(120_000);
   await freshLoads(page, 5, (name, png) => writeFileSync(info.outputPath(`${name}.png`), png));
 });
 
-test('a picture that comes too late for its run is painted again', async ({ page }) => {
-  // A program of its own begins two runs, one after the other; the picture of the first is on its way when the second begins.
+test('a picture that arrives after the next run has started is painted again', async ({ page }) => {
+  // An own program starts two consecutive runs; the picture of the first arrives after the second has started.
   await page.addInitScript(() => {
     const own = Object.getOwnPropertyDescriptor(Worker.prototype, 'onmessage')!;
     Object.defineProperty(Worker.prototype, 'onmessage', {
@@ -72,7 +72,7 @@ test('a picture that comes too late for its run is painted again', async ({ page
         .data.reduce((sum, value, at) => (sum * 31 + value * (at % 7)) % 1_000_003, 0);
     });
   const text = 'M03 S500\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nX45\nG00 X100\nM30\n';
-  // The setup of the example stays with the next text; the one below is without any.
+  // The setup of the example is kept for the next text; the text below has none.
   await replace(text, '{}');
   const whole = await pixels();
   await replace('G00 X20 Z5\nG01 Z-9 F0.1\n', '{"dialect": {"control": "gsk"}}');

@@ -1,5 +1,5 @@
-// The work on a task: each link of a task finds the pupil's own work again, whatever was opened in between; what was
-// deleted does not come back, and no store keeps the page from starting.
+// Work on a task: each link to a task restores the pupil's work on it, whatever was opened in between; deleted work is
+// not restored, and no stored value keeps the page from starting.
 import { expect, test, type BasicPage } from './engines';
 import { addUnseen, items, kept, list, secondTab } from './own-programs';
 import { editor, open, value } from './page';
@@ -19,7 +19,7 @@ const SECOND: Omit<Task, 'link'> = {
   begin: 'O0002\nT0202\nG97 S600 M03\nG00 X44 Z0\n\nM30\n',
 };
 
-/** The link of a task, made as the page packs links, but not compressed. */
+/** Link to a task, in the page's format but without compression. */
 function linkTo({ sentence, begin }: Omit<Task, 'link'>): string {
   const body = `b${Buffer.from(JSON.stringify({ p: begin, q: sentence, a: `${begin}(solved)` })).toString('base64url')}`;
   let crc = -1;
@@ -33,18 +33,18 @@ function linkTo({ sentence, begin }: Omit<Task, 'link'>): string {
 const first: Task = { ...FIRST, link: linkTo(FIRST) };
 const second: Task = { ...SECOND, link: linkTo(SECOND) };
 
-/** Opens an address as in a new tab. */
+/** Opens a URL as in a new tab. */
 async function openAfresh(page: BasicPage, hash = ''): Promise<void> {
   await page.goto('about:blank');
   await open(page, hash);
 }
 
-/** Another address in the page that is there. */
+/** Changes the fragment of the URL in the open page. */
 async function go(page: BasicPage, hash: string): Promise<void> {
   await page.evaluate((hash) => void (location.hash = hash), hash);
 }
 
-/** Writes into the empty line of a task, and gives the whole text. */
+/** Types an answer into the empty line of a task, and returns the whole text. */
 async function work(page: BasicPage, { begin }: Task, answer: string): Promise<string> {
   await editor(page).focus();
   await page.keyboard.press('Control+Home');
@@ -68,7 +68,7 @@ async function hasPrograms(page: BasicPage, count: number): Promise<void> {
   await list(page).getByRole('button', { name: 'Close' }).click();
 }
 
-test('two tasks: each link finds its own work, and goes on with it', async ({ page }) => {
+test('two tasks: each link restores its own work, which can be continued', async ({ page }) => {
   await open(page, first.link);
   const onFirst = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -91,7 +91,7 @@ test('two tasks: each link finds its own work, and goes on with it', async ({ pa
   await hasPrograms(page, 2);
 });
 
-test('an example that was changed meanwhile, on the bare page, takes nothing away', async ({ page }) => {
+test('a changed example on the page without a link does not affect the work', async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -105,10 +105,10 @@ test('an example that was changed meanwhile, on the bare page, takes nothing awa
   await isShown(page, first, done);
 });
 
-test('in one tab: another link, and back by the link of the task', async ({ page }) => {
+test('in one tab: another link, and back by the link to the task', async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
-  // At once, before it is kept by itself.
+  // Immediately, before the timer stores it.
   await go(page, second.link);
   await expect.poll(() => value(page)).toBe(second.begin);
   const onSecond = await work(page, second, 'G01 X-1 F0.2');
@@ -127,7 +127,9 @@ test('in one tab: another link, and back by the link of the task', async ({ page
   await hasPrograms(page, 2);
 });
 
-test('in one tab: the bare address, loaded or not, and back by the link of the task', async ({ page }) => {
+test('in one tab: the URL without a link, with and without a reload, and back by the link to the task', async ({
+  page,
+}) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -146,7 +148,7 @@ test('in one tab: the bare address, loaded or not, and back by the link of the t
   await hasPrograms(page, 1);
 });
 
-test('"Open the link again" begins anew, and from then on that is the work', async ({ page }) => {
+test('"Open the link again" starts over, and the new text becomes the work', async ({ page }) => {
   await open(page, first.link);
   await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -160,7 +162,7 @@ test('"Open the link again" begins anew, and from then on that is the work', asy
   await hasPrograms(page, 2);
 });
 
-test('a line break or a full stop that a mail program has added makes no other task', async ({ page }) => {
+test('a line break or a full stop added by a mail program does not make another task', async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -169,7 +171,7 @@ test('a line break or a full stop that a mail program has added makes no other t
   await isShown(page, first, done);
 });
 
-test('work that the reader has deleted does not come back, unless by undo', async ({ page }) => {
+test('deleted work is not restored, except by undo', async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -196,9 +198,7 @@ test('work that the reader has deleted does not come back, unless by undo', asyn
   await expect(page.getByText('Bring it back')).toHaveCount(0);
 });
 
-test('what another tab has made of the task meanwhile is what the link finds, and it goes on as one program', async ({
-  page,
-}) => {
+test('the link opens the newer work of another tab, and continues with the same program', async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -221,7 +221,7 @@ test('what another tab has made of the task meanwhile is what the link finds, an
   expect(await value(page)).toBe(`${done}(OF THE OTHER)(OF THIS)`);
 });
 
-test('whatever stands where the work is noted, the task opens', { tag: '@night' }, async ({ page }) => {
+test('the task opens with any stored value in place of the work', { tag: '@night' }, async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -263,7 +263,7 @@ test('whatever stands where the work is noted, the task opens', { tag: '@night' 
   await isShown(page, first, done);
 });
 
-test('of a hundred tasks the newest are remembered', async ({ page }) => {
+test('the newest of a hundred tasks are remembered', async ({ page }) => {
   await open(page, first.link);
   const key = await page.evaluate(() => `gcode-playground:task:${location.pathname}`);
   await page.evaluate(
@@ -284,7 +284,7 @@ test('of a hundred tasks the newest are remembered', async ({ page }) => {
   expect(all.at(-1)).toBe(first.link.slice(-40));
 });
 
-test('a database that gives no answer keeps the picture waiting no longer than a moment', async ({ page }) => {
+test('a database that does not respond delays the picture only briefly', async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);

@@ -1,4 +1,4 @@
-// Lengths are shown in the unit of the program, or in the one the reader takes.
+// Lengths are shown in the unit of the program, or in the unit that the user selects.
 import { expect, test, type Page } from './engines';
 import { editor, locate, open, openFile, problems, status, tooltip } from './page';
 
@@ -10,11 +10,11 @@ const button = (page: Page) => page.getByRole('button', { name: /^Lengths in / }
 
 async function load(page: Page, text: string): Promise<void> {
   await openFile(page, 'own.nc', Buffer.from(text));
-  // The example before it has more.
+  // The previous example has more motions.
   await expect(status(page)).toContainText(/^\d motion/);
 }
 
-test('an inch program reads in inches, until the reader takes mm', async ({ page }) => {
+test('an inch program is shown in inches, until the user selects mm', async ({ page }) => {
   await open(page);
   await expect(button(page)).toHaveText('mm');
   await load(page, TURNED);
@@ -34,7 +34,7 @@ test('an inch program reads in inches, until the reader takes mm', async ({ page
   await expect(cell(page, 'Feed')).toHaveText('0.254 mm/rev · 203 mm/min');
   await expect(page.locator('.doing')).toHaveText('line 9: feed to X38.1 Z-25.4');
 
-  await test.step('the choice stays for other programs', async () => {
+  await test.step('the selected unit is kept for other programs', async () => {
     await load(page, TURNED.replace('X1.5', 'X1.4'));
     await expect(button(page)).toHaveText('mm');
     await button(page).click();
@@ -44,7 +44,7 @@ test('an inch program reads in inches, until the reader takes mm', async ({ page
   });
 });
 
-test('dimensions, messages and totals are in the unit that is shown', async ({ page }) => {
+test('dimensions, messages and totals use the displayed unit', async ({ page }) => {
   await open(page);
   await load(page, TURNED.replace('X2.1\nG0 X4.', 'G2 X2.1 Z-1.5 I.3 K0\nG0 X4.'));
   await expect(problems(page)).toContainText('0.3 in from the start but 0.5 in from the end');

@@ -1,5 +1,4 @@
-// The views beside the section: the end face, the turret's side, dimensions of an
-// edge, and two parts compared.
+// The views beside the section: the end face, the side of the turret, dimensions of an edge, and two compared parts.
 import { expect, test, type Page } from './engines';
 import { editor, locate, open, program, status, tooltip, type } from './page';
 
@@ -10,7 +9,7 @@ interface Playground extends HTMLElement {
 const face = (page: Page) => page.getByRole('img', { name: /end face/ });
 const section = (page: Page) => page.getByRole('img', { name: /tool path/ });
 
-test('a square milled on the face is shown in its own picture, and picked there', async ({ page }) => {
+test('a square milled on the face is shown in a separate picture, and can be picked', async ({ page }) => {
   await open(page, '#s002-g121-square');
   await expect(face(page)).toBeVisible();
   await expect(section(page)).toBeVisible();
@@ -46,18 +45,18 @@ test('a front turret has X+ below the axis', async ({ page }) => {
   await expect(status(page)).toContainText('2 motions');
 });
 
-test('an edge of the part tells its dimensions', async ({ page }) => {
+test('an edge of the part shows its dimensions', async ({ page }) => {
   await open(page, '#s001-o6003');
-  // The nose of 0.2 mm leaves 2 · 0.2 · (1 + tan α − 1 / cos α) = 0.061 on the cone, tan α = 5.5 / 33.
+  // The nose radius of 0.2 mm leaves 2 · 0.2 · (1 + tan α − 1 / cos α) = 0.061 on the cone, tan α = 5.5 / 33.
   const place = await locate(page, -(31 - (11 * 13) / 33 - 0.061), -10);
   await page.mouse.move(place.x, place.y);
   await expect(tooltip(page)).toContainText('to ⌀29.94');
   await expect(tooltip(page)).toContainText('9.462° to the axis, 1:3');
 });
 
-test('a kept part is laid over the next one, and the difference is measured', async ({ page }) => {
+test('a kept part is compared with the next one, and the difference is measured', async ({ page }) => {
   await open(page, '#s004-g94-wrong');
-  // The example has a comparison of its own; what the reader keeps stays with the next example.
+  // The example has its own comparison; a part kept by the user stays for the next example.
   await page.getByRole('button', { name: 'End comparison' }).click();
   await page.getByRole('button', { name: 'Keep this part to compare' }).click();
   await expect(page.getByText('Same as the kept part')).toBeVisible();

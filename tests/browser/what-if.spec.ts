@@ -1,4 +1,4 @@
-// What if a variable had another value: tried by keys alone, in three languages, while the text stays as it is.
+// What-if values: another value for a variable is tried by keys alone, in three languages, without changing the text.
 import { expect, test, type BasicPage, type Locator } from './engines';
 import { atCursor, editor, goTo, open, runAgain, type, value } from './page';
 
@@ -44,7 +44,7 @@ const IN_WORDS = {
 const cells = (page: BasicPage, name: string): Locator =>
   atCursor(page).locator('.state-table tr').filter({ hasText: name });
 
-/** A number that is another one where any pixel of the section is, once all of it is drawn. */
+/** A hash of the section's pixels, once it is completely drawn. */
 async function picture(page: BasicPage): Promise<number> {
   return page.locator('gcode-playground').evaluate(async (element) => {
     await (element as unknown as { settled: Promise<unknown> }).settled;
@@ -67,7 +67,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     await page.locator('#language').selectOption(locale);
     await type(page, CALLS);
     await page.locator('.playback .speed:not(.unit)').selectOption('50×');
-    // Stopped inside the macro, where the loop calls it.
+    // Pause inside the macro, in the loop that calls it.
     await editor(page).focus();
     await page.keyboard.press('Control+End');
     await page.keyboard.press('ArrowUp');
@@ -86,13 +86,13 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     await page.keyboard.press('Enter');
     await page.keyboard.type('90');
     await page.keyboard.press('Enter');
-    // It is marked in the text, over the picture and in the table; the path is another one, the text is not.
+    // The value is marked in the text, above the picture and in the table; the path changes, the text does not.
     await expect(page.locator('.tried-value')).toContainText('#24 = 90');
     await expect(page.locator('.what-if')).toContainText('#24 = 90');
     expect(await value(page)).toBe(CALLS);
     expect(await picture(page)).not.toBe(before);
     await expect(cells(page, '#24')).toContainText('90');
-    // One key brings the program back.
+    // One key restores the program.
     await page.getByRole('button', { name: words.back }).focus();
     await page.keyboard.press('Enter');
     await expect(page.locator('.tried-value')).toHaveCount(0);
@@ -101,7 +101,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
   });
 }
 
-test('a value that is being typed stays when the program runs once more', async ({ page }) => {
+test('a value being typed is kept when the program runs again', async ({ page }) => {
   await open(page);
   await type(page, CALLS);
   await goTo(page, 6, 1);

@@ -1,4 +1,4 @@
-// The script of the worker, with something of a test before it.
+// Runs a script of a test before the worker's script.
 import type { ChromiumPage } from './engines';
 
 /** Runs a script in each worker of the page before the worker's own. */

@@ -1,5 +1,5 @@
-// A picture that was zoomed and moved shows the same as a cut-out of one so large that nothing leaves it: the section with and
-// without a compared part, the face and the side. Random parts and views, sent to the worker in a session of the test's own.
+// A zoomed and panned picture equals a crop of a picture large enough to contain everything: the section with and
+// without a compared part, the face and the side. Random parts and views, sent to the worker in a separate session.
 import { expect, test, type BasicPage } from './engines';
 import { open } from './page';
 
@@ -8,28 +8,28 @@ type Random = () => number;
 interface View {
   readonly picture: 'section' | 'face' | 'side';
   readonly factor: number;
-  /** The place about which it is zoomed, shares of the picture. */
+  /** The centre of the zoom, as fractions of the picture. */
   readonly at: readonly [number, number];
-  /** Device pixels a CSS pixel. */
+  /** Device pixels per CSS pixel. */
   readonly ratio: 1 | 2;
 }
 
 interface Part {
   readonly text: string;
-  /** The part it is compared with. */
+  /** The part for the comparison. */
   readonly kept?: string;
   readonly views: readonly View[];
 }
 
-/** What a view shows. */
+/** The result for a view. */
 interface Seen {
-  /** The number of pixels that differ from the cut-out by more than anti-aliasing. */
+  /** Number of pixels that differ from the crop by more than anti-aliasing. */
   readonly different: number;
-  /** Colours seen, as a check that something is. */
+  /** Number of colours, to check that the picture is not empty. */
   readonly colours: number;
 }
 
-/** Numbers from 0 to 1, the same in each run (xorshift). */
+/** Seeded random numbers from 0 to 1 (xorshift). */
 function random(seed: number): Random {
   let state = seed >>> 0;
   return () => {
@@ -41,7 +41,7 @@ function random(seed: number): Random {
   };
 }
 
-/** A contour of tapers, arcs, shoulders and grooves, and now and then a thread. */
+/** A contour of tapers, arcs, shoulders and grooves, sometimes with a thread. */
 function turned(next: Random): string {
   const number = (from: number, to: number): string => (from + (to - from) * next()).toFixed(2);
   const lines = ['(STOCK D=80 LENGTH=90)', 'T0101', 'G99 G97 S800 M3', 'G00 X82 Z2'];
@@ -89,7 +89,7 @@ function onFace(next: Random): string {
   return [...lines, 'G00 X90 Z50', 'M30', ''].join('\n');
 }
 
-/** Holes and a slot around the work. */
+/** Holes and a slot on the side of the part. */
 function onSide(next: Random): string {
   const lines = [
     '(STOCK D=60 LENGTH=80)',
@@ -125,13 +125,13 @@ function parts(seed: number, count: number): readonly Part[] {
 }
 
 interface Talk {
-  /** Sends commands to the worker, and waits until there is nothing more to show. */
+  /** Sends commands to the worker, and waits until all pictures are final. */
   say(...what: object[]): Promise<void>;
-  /** The last images of the pictures. */
+  /** The latest images of the pictures. */
   readonly images: Map<string, HTMLCanvasElement>;
 }
 
-/** Runs before the scripts of the page: keeps its worker. */
+/** Runs before the scripts of the page: stores its worker. */
 function keepWorker(): void {
   const heard = new Set<(message: unknown) => void>();
   Object.assign(window, { heard });
@@ -139,7 +139,7 @@ function keepWorker(): void {
     constructor(...parameters: ConstructorParameters<typeof Worker>) {
       super(...parameters);
       Object.assign(window, { spokenTo: this });
-      // Before the listener of the page, which closes images of sessions that it does not know.
+      // Registered before the listener of the page, which closes images of unknown sessions.
       this.addEventListener('message', ({ data }) => {
         for (const listener of heard) listener(data);
       });
@@ -188,7 +188,10 @@ function openSession(): void {
   Object.assign(window, { talk });
 }
 
-/** Opaque colours for the work and the path, none for rulers, their names and the centre line, which belong to the picture. */
+/**
+ * Opaque colours for the part and the path; none for rulers, labels and the centre line, which belong to the picture,
+ * not to the part.
+ */
 const PALETTE = {
   background: '#ffffff',
   grid: '#ebedeb',
@@ -210,7 +213,7 @@ const PALETTE = {
   uncertain: '#8a7a2b',
 };
 
-/** How the views of a part differ from the cut-outs. */
+/** Compares the views of a part with their crops. */
 async function look({
   part,
   run,
@@ -263,7 +266,7 @@ async function look({
       change({ kind: 'zoom', factor, x: x * width, y: y * height }),
     );
     const cut = pixels(picture, 0, ratio);
-    // The middle stays where it is: the picture grows by the margin on each side, beyond all of the part.
+    // The centre stays in place: the picture grows by the margin on each side, enough for the whole part.
     const margin = Math.ceil(factor * width);
     await talk.say(
       change({ kind: 'resize', size: { width: width + 2 * margin, height: height + 2 * margin, pixelRatio: ratio } }),
@@ -273,7 +276,8 @@ async function look({
     const across = ratio * (width - rulers.left);
     const near = (pixel: number, other: number): boolean =>
       [0, 1, 2].every((channel) => Math.abs(cut[pixel + channel]! - (whole[other + channel] ?? 999)) <= 32);
-    // The same edge is smoothed otherwise where a line is clipped elsewhere: a pixel may have the colour of a neighbour.
+    // Anti-aliasing of an edge changes if a line is clipped at another point: a pixel may have the colour of a
+    // neighbour.
     const around = [-1, 0, 1].flatMap((down) => [-1, 0, 1].map((right) => 4 * (down * across + right)));
     let different = 0;
     for (let pixel = 0; pixel < cut.length; pixel += 4) {
@@ -294,13 +298,13 @@ async function compare(page: BasicPage, tried: readonly Part[]): Promise<void> {
   for (const [index, part] of tried.entries()) {
     const seen = await page.evaluate(look, { part, run: 1_000_000 + index, palette: PALETTE });
     for (const [view, { different, colours }] of seen.entries()) {
-      // Edges have as many more pixels as the canvas has.
+      // The number of edge pixels grows with the pixel ratio.
       const most = 12 * part.views[view]!.ratio;
       expect(different, `part ${index}, view ${JSON.stringify(part.views[view])}:\n${part.text}`).toBeLessThan(most);
       if (colours > 20) withWork++;
     }
   }
-  // Most views show more than paper.
+  // Most views show more than the background.
   expect(withWork).toBeGreaterThan(tried.length * 3);
 }
 

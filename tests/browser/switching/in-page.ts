@@ -1,5 +1,5 @@
-// What the switching test does inside the page. Each function is sent to the browser as source, so it uses
-// nothing from outside itself, and its argument and result are JSON.
+// Actions of the switching test inside the page. Each function is sent to the browser as source, so it uses no outer
+// variables, and its argument and result are JSON.
 
 import type { State, Step } from './state';
 
@@ -10,35 +10,32 @@ interface Playground extends HTMLElement {
   readonly settled: Promise<number>;
 }
 
-/** What a page shows, in words and as fingerprints of pixels. */
+/** The visible state of a page: texts and hashes of pixels. */
 export type Look = Readonly<Record<string, string>>;
 
-/**
- * Runs before the scripts of each page: one that neither keeps anything for the next one nor leaves
- * anything out of what it reports.
- */
+/** Runs before the scripts of each page: disables storing for the next page, and makes the page report everything. */
 export function prepare(): void {
   localStorage.clear();
-  // The page would keep the program when it is left.
+  // Otherwise the page would store the program when it is left.
   Storage.prototype.setItem = () => undefined;
   document.addEventListener('gcode-report', (event) => {
     (window as unknown as { report: unknown }).report = (event as CustomEvent).detail;
   });
 }
 
-/** Waits until the page has started; drivers differ in what they call loaded. */
+/** Waits until the page has started; drivers differ in when they consider it loaded. */
 export async function ready(): Promise<void> {
   await customElements.whenDefined('gcode-playground');
   if (document.readyState !== 'complete')
     await new Promise((done) => window.addEventListener('load', done, { once: true }));
-  // The element comes into the page with its first program, the list of examples after the first picture.
+  // The element is added with its first program, and the list of examples is loaded after the first picture.
   const soon = (): Promise<void> => new Promise((done) => setTimeout(done, 5));
   while (document.querySelector('gcode-playground') === null) await soon();
   await (document.querySelector('gcode-playground') as Playground).settled;
   while ((document.getElementById('example') as HTMLSelectElement).options.length < 2) await soon();
 }
 
-/** Brings the page on; the last thing it does is what a reader or an author does last. */
+/** Changes the page to a state; the last change is one that a user or an author would make last. */
 export async function go({
   steps,
   from,
@@ -108,8 +105,7 @@ export async function go({
       if (to.language !== now?.language) choose('language', to.language);
       if (to.theme !== now?.theme) choose('theme', to.theme);
       if (to.turret !== now?.turret) {
-        // The button shows where the turret is, which the setup may say: it is turned until
-        // it is where it should be.
+        // The button shows the side of the turret, which the setup may define: press it until the side is correct.
         for (let turn = 0; turn < 3; turn++) {
           await playground.settled;
           const button = found<HTMLButtonElement>('.views > button.level');
@@ -162,12 +158,12 @@ export async function go({
     await sleep(step.delay);
   }
   await playground.settled;
-  // The tool may still stand where a step has put it.
+  // The tool may still be at the position of a step.
   const whole = found<HTMLButtonElement>('.playback .place > button.quiet');
   if (getComputedStyle(whole).visibility === 'visible') whole.click();
 }
 
-/** Waits until the page has settled, and looks at it. */
+/** Waits until the page has settled, and returns its visible state. */
 export async function look(): Promise<Look> {
   const playground = document.querySelector('gcode-playground') as Playground;
   const root = playground.shadowRoot as ShadowRoot;
@@ -192,7 +188,7 @@ export async function look(): Promise<Look> {
     context.drawImage(canvas, 0, 0);
     (window as unknown as Record<string, unknown>)[name] = copy;
     const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
-    // FNV-1a, a pixel at a time.
+    // FNV-1a, one pixel at a time.
     let hash = 0x811c9dc5;
     for (const pixel of pixels) hash = Math.imul(hash ^ pixel, 0x01000193);
     seen[name] = `${width} × ${height}, shown ${shown.width} × ${shown.height}: ${(hash >>> 0).toString(16)}`;
@@ -208,7 +204,7 @@ export async function look(): Promise<Look> {
     words('.views > button.level') + String(root.querySelector('.views > button.level')?.getAttribute('aria-pressed'));
   seen['legend'] = words('[part=legend]');
   seen['setup'] = words('[part=setup]');
-  // The motions as the page itself saves them.
+  // The motions in the page's own export.
   const save = HTMLAnchorElement.prototype.click;
   const { createObjectURL } = URL;
   const table = root.querySelectorAll<HTMLButtonElement>('[part=export-menu] > button')[3];
@@ -228,7 +224,7 @@ export async function look(): Promise<Look> {
   return seen;
 }
 
-/** The section that was looked at last, as a PNG. */
+/** The last section that was read, as PNG. */
 export function picture(): string {
   return (window as unknown as { section: HTMLCanvasElement | undefined }).section?.toDataURL('image/png') ?? '';
 }

@@ -1,14 +1,14 @@
-// Switching at random, and what the page shows then held against a fresh start of the same state: pixels,
-// motions, messages, words.
+// Switches states at random, and compares the page with a fresh page in the same state: pixels, motions, messages,
+// texts.
 //
-// In: a page of any engine, of which it uses nothing but opening an address and evaluating a function. Out:
-// an error that names the seed and the steps, and what differs. The pixels are read from the canvas of the
-// page, so they are what is presented, not what the worker believes to have painted.
+// In: a page of any engine, of which only navigation and evaluation of functions are used. Out: an error with the seed,
+// the steps and the differences. Pixels are read from the canvas of the page, so they are what is presented, not what
+// the worker has painted.
 
 import { go, look, picture, prepare, ready, type Look } from './in-page';
 import { pool, random, step, type State, type Step } from './state';
 
-/** What the test needs of an engine. */
+/** The engine interface of the test. */
 export interface Page {
   goto(address: string): Promise<unknown>;
   /** Runs in every document before its own scripts. */
@@ -20,20 +20,20 @@ export interface Page {
 export interface Options {
   readonly seed: number;
   readonly steps: number;
-  /** How many states are gone through; each is started afresh once. */
+  /** Number of states; each is loaded fresh once. */
   readonly states: number;
   /** Programs of the gallery. */
   readonly programs: readonly string[];
-  /** Keeps a picture of a failure: its name and the PNG. */
+  /** Stores a picture of a failure: its name and the PNG. */
   readonly keep: (name: string, png: Buffer) => void;
 }
 
-/** Most steps between two looks at the page. */
+/** Most steps between two comparisons. */
 const MOST_AT_ONCE = 5;
-/** Longest time between two steps, ms. Many are shorter than what a run takes. */
+/** Longest delay between two steps, ms. Many delays are shorter than a run. */
 const LONGEST_DELAY = 160;
 
-/** `PLAYGROUND_SWITCHING_STEPS`, `…_SEED` and `…_STATES`, or what the test takes without them. */
+/** `PLAYGROUND_SWITCHING_STEPS`, `…_SEED` and `…_STATES`, with defaults. */
 export function fromEnvironment(usual: {
   readonly seed: number;
   readonly steps: number;
@@ -46,13 +46,13 @@ export function fromEnvironment(usual: {
 
 let opened = 0;
 
-/** Another document each time. */
+/** Opens a new document each time. */
 async function open(page: Page, program: string): Promise<void> {
   await page.goto(`./?opened=${++opened}#${program}`);
   await page.evaluate(ready);
 }
 
-/** What a fresh page shows in a state. */
+/** Visible state of a fresh page. */
 async function fresh(page: Page, state: State): Promise<Look> {
   await open(page, state.program);
   await page.evaluate(go, { steps: [{ to: state, delay: 0 }], from: undefined });
@@ -76,7 +76,7 @@ export async function switching(page: Page, { seed, steps, states, programs, kee
     const count = Math.min(1 + Math.floor(next() * MOST_AT_ONCE), steps - done);
     while (some.length < count) {
       const one = step(all, next);
-      // At times as fast as can be, at times long enough for a run to end.
+      // Some steps follow immediately, others after a delay long enough for a run to end.
       some.push({ ...one, delay: next() < 0.4 ? 0 : Math.floor(next() * LONGEST_DELAY) });
       if ('to' in one) now = one.to;
     }
@@ -97,14 +97,14 @@ export async function switching(page: Page, { seed, steps, states, programs, kee
   }
 }
 
-/** The first program, loaded again and again: the same picture each time, that of its finished part. */
+/** Loads the first program repeatedly: each time the same picture, with the finished part. */
 export async function freshLoads(page: Page, loads: number, keep: Options['keep']): Promise<void> {
   await page.addInitScript(prepare);
   let first: Look | undefined;
   for (let load = 1; load <= loads; load++) {
     await open(page, '');
     const shown = await page.evaluate(look);
-    // Painted anew from the same run by a turn of the turret there and back: it must be what was there.
+    // Turning the turret there and back repaints the same run: the picture must be equal.
     await page.evaluate(turnThereAndBack);
     const again = await page.evaluate(look);
     const wrong = difference(shown, first ?? shown) ?? difference(shown, again);
@@ -123,7 +123,7 @@ async function turnThereAndBack(): Promise<void> {
   }
 }
 
-/** What is shown and should not be; nothing where all is as it should be. */
+/** Differences between the visible and the expected state; undefined if there are none. */
 function difference(shown: Look, wanted: Look): string | undefined {
   const keys = new Set([...Object.keys(shown), ...Object.keys(wanted)]);
   const wrong = [...keys].filter((key) => shown[key] !== wanted[key]);
@@ -136,7 +136,7 @@ function difference(shown: Look, wanted: Look): string | undefined {
     .join('\n  ');
 }
 
-/** The text from shortly before the first place where it is another. */
+/** Excerpt of the text, from shortly before the first difference. */
 function excerpt(text = 'missing', other = 'missing'): string {
   let at = 0;
   while (at < text.length && text[at] === other[at]) at++;

@@ -1,11 +1,11 @@
-// The states the switching test goes through, and the random steps from one to the next.
+// States of the switching test, and random steps between them.
 //
-// In: a seed. Out: states as plain values, so that a fresh page can be brought to any of them, and what is
-// done to a page on the way. Must not know: the page.
+// In: a seed. Out: states as plain values, to which a fresh page can be brought, and the actions on the way. Must not
+// know: the page.
 
-/** What a page shows: everything it should look like follows from this. */
+/** A state of the page, from which everything visible follows. */
 export interface State {
-  /** Of the gallery. */
+  /** ID of a program in the gallery. */
   readonly program: string;
   readonly text: (typeof TEXTS)[number];
   readonly setup: (typeof SETUPS)[number];
@@ -14,20 +14,20 @@ export interface State {
   readonly turret: (typeof TURRETS)[number];
 }
 
-/** As it is; by keys at its head, as a reader edits; by `value`, as an author does. */
+/** Unchanged; edited at its start by keys, like a user; or set by `value`, like an author. */
 export const TEXTS = ['as it is', 'line typed', 'character deleted', 'line doubled', 'half'] as const;
-/** That of the example; another blank; none of it. */
+/** The setup of the example; another blank; none. */
 export const SETUPS = ['of the example', 'thick blank', 'empty'] as const;
 export const LANGUAGES = ['en', 'zh', 'ru'] as const;
 export const THEMES = ['light', 'dark'] as const;
 export const TURRETS = ['front', 'rear'] as const;
 
-/** What leaves no trace once it is over. */
+/** Actions that have no lasting effect. */
 export const DETOURS = ['zoomed and fitted', 'stepped', 'pointed', 'kept'] as const;
 
 export type Step = { readonly to: State } | { readonly detour: (typeof DETOURS)[number] };
 
-/** Numbers from 0 to 1 that a seed makes, the same everywhere (mulberry32). */
+/** Seeded random numbers from 0 to 1 (mulberry32). */
 export function random(seed: number): () => number {
   let state = seed >>> 0;
   return () => {
@@ -38,11 +38,11 @@ export function random(seed: number): () => number {
   };
 }
 
-/** A number of states that differ, beginning with programs one after the other as they are. */
+/** Distinct states, starting with unchanged programs in order. */
 export function pool(programs: readonly string[], size: number, next: () => number): readonly State[] {
   const one = <T>(list: readonly T[]): T => list[Math.floor(next() * list.length)] as T;
   const plain = { text: 'as it is', setup: 'of the example', language: 'en', theme: 'light', turret: 'rear' } as const;
-  // Rough turning is what takes longest, the pattern after it what takes less: the pair that went wrong once.
+  // Rough turning takes longest and the pattern after it least: this pair failed once.
   const states: State[] = ['s003-g71', 's003-g73'].map((program) => ({ program, ...plain }));
   while (states.length < size) {
     const state: State = {
@@ -58,7 +58,7 @@ export function pool(programs: readonly string[], size: number, next: () => numb
   return states;
 }
 
-/** The next step: mostly to another state of the pool, at times nothing that lasts. */
+/** The next step: usually to another state of the pool, sometimes an action without lasting effect. */
 export function step(states: readonly State[], next: () => number): Step {
   if (next() < 0.2) return { detour: DETOURS[Math.floor(next() * DETOURS.length)] ?? 'stepped' };
   return { to: states[Math.floor(next() * states.length)] as State };
