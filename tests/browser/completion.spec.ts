@@ -50,7 +50,7 @@ test('a key for the list is kept while the list updates for the last letter', as
   }
 });
 
-chromiumTest('the list comes though the next letter was typed while the last was looked for', async ({ page }) => {
+chromiumTest('the list opens even if another letter is typed while a request is pending', async ({ page }) => {
   // The answer to the first request arrives after the next letter.
   await runBeforeWorker(
     page,

@@ -258,7 +258,7 @@ test('while a word of a contour is typed, the previous picture stays, labelled a
   });
 });
 
-chromiumTest('who leaves the block while its run is under way sees what the program does now', async ({ page }) => {
+chromiumTest('leaving the block during its run shows the current path of the program', async ({ page }) => {
   // The worker receives the cursor move after the first slice of the run.
   await runBeforeWorker(
     page,
