@@ -34,8 +34,8 @@ async function violations(page: ChromiumPage, where: string): Promise<string[]> 
 
 /** A link to a task, or to an answer to it. */
 async function linked(what: 'task' | 'answer'): Promise<string> {
-  const said = what === 'task' ? { task: { sentence: 'Turn the shoulder', solution: PROGRAM } } : { name: 'Anna' };
-  const made = await linkOf({ ...NOTHING_SAID, text: 'G00 X52 Z2\n', ...said });
+  const extra = what === 'task' ? { task: { sentence: 'Turn the shoulder', solution: PROGRAM } } : { name: 'Anna' };
+  const made = await linkOf({ ...NOTHING_SAID, text: 'G00 X52 Z2\n', ...extra });
   return made.kind === 'link' ? made.link : '';
 }
 

@@ -307,30 +307,30 @@ test('keys typed in an element do not trigger shortcuts of the host page', async
   );
   await settled(page);
   await page.evaluate(() => {
-    const heard: string[] = [];
-    Object.assign(globalThis, { heard });
+    const received: string[] = [];
+    Object.assign(globalThis, { received });
     for (const type of ['keydown', 'keyup'])
-      document.addEventListener(type, (event) => heard.push(`${type} ${(event as KeyboardEvent).key}`));
+      document.addEventListener(type, (event) => received.push(`${type} ${(event as KeyboardEvent).key}`));
   });
-  const heard = (): Promise<string[]> =>
-    page.evaluate(() => (globalThis as unknown as { heard: string[] }).heard.splice(0));
+  const received = (): Promise<string[]> =>
+    page.evaluate(() => (globalThis as unknown as { received: string[] }).received.splice(0));
   const textbox = page.getByRole('textbox', { name: 'Program' });
   await textbox.focus();
   for (const key of ['ArrowRight', 'ArrowLeft', 's', '/', '?', 'Enter', 'Backspace']) await page.keyboard.press(key);
-  expect(await heard(), 'in the program').toEqual([]);
+  expect(await received(), 'in the program').toEqual([]);
   await page.getByRole('slider', { name: 'Position' }).focus();
   await page.keyboard.press('ArrowRight');
-  expect(await heard(), 'on the slider').toEqual([]);
+  expect(await received(), 'on the slider').toEqual([]);
   // The host page still gets its shortcuts with modifiers, keys that leave a text field, and keys typed in its own
   // fields.
   await textbox.focus();
   await page.keyboard.press('Escape');
   await page.keyboard.press('Control+k');
-  const commands = await heard();
+  const commands = await received();
   for (const command of ['keydown Escape', 'keydown k']) expect(commands).toContain(command);
   await page.getByLabel("The page's own").focus();
   await page.keyboard.press('x');
-  expect(await heard()).toEqual(['keydown x', 'keyup x']);
+  expect(await received()).toEqual(['keydown x', 'keyup x']);
 });
 
 test('labels at the foot do not overlap at any width of the column', async ({ page }) => {

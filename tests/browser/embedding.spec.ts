@@ -250,7 +250,7 @@ async function embed(
   });
   try {
     void open(`${own.origin}/index.html`).catch(() => undefined);
-    return { outcome: JSON.parse(await own.reported) as Outcome, asked: (other ?? own).asked };
+    return { outcome: JSON.parse(await own.reported) as Outcome, asked: (other ?? own).requested };
   } finally {
     await closeAll([own, other]);
   }

@@ -16,7 +16,7 @@ const cases = (
 const encoding = (page: Page) => page.getByRole('combobox', { name: 'Encoding' });
 
 /** Opens a new page for each file: a browser asks for permission after ten downloads from one page. */
-async function openAfresh(page: Page): Promise<void> {
+async function openNewPage(page: Page): Promise<void> {
   await page.goto('about:blank');
   await open(page);
 }
@@ -32,7 +32,7 @@ async function save(page: Page): Promise<{ name: string; bytes: Buffer }> {
 const folded = (text: string): string => text.replace(/\r\n?/g, '\n');
 
 /** Places the cursor after `text`, the start of a line (from 1). */
-async function cursorBehind(page: Page, line: number, text: string): Promise<void> {
+async function cursorAfter(page: Page, line: number, text: string): Promise<void> {
   await editor(page).focus();
   await page.keyboard.press('Control+Home');
   for (let i = 1; i < line; i++) await page.keyboard.press('ArrowDown');
@@ -44,7 +44,7 @@ test('Chinese, Russian and Western programs are decoded correctly and saved unch
 }) => {
   for (const [i, one] of cases.entries()) {
     await test.step(`${one.encoding}: ${one.text.slice(0, 30)}`, async () => {
-      await openAfresh(page);
+      await openNewPage(page);
       const name = `part-${i}.nc`;
       await openFile(page, name, one.bytes);
       await expect(page.getByText(`Opened ${name}`)).toBeVisible();
@@ -77,7 +77,7 @@ test('arbitrary bytes are saved unchanged', async ({ page }) => {
   ];
   for (const [name, bytes] of odd) {
     await test.step(name, async () => {
-      await openAfresh(page);
+      await openNewPage(page);
       await openFile(page, name, bytes);
       await expect(page.getByText(`Opened ${name}`)).toBeVisible();
       expect((await save(page)).bytes.toString('hex')).toBe(bytes.toString('hex'));
@@ -92,14 +92,14 @@ test('editing one word changes nothing else in the file', async ({ page }) => {
   const tail = (x: string) => Buffer.from(`)\r\nG0 X${x} Z2\nG1 Z-9 F1\rM30\r\n\u001a`, 'latin1');
   await openFile(page, 'edit.nc', Buffer.concat([head, chinese, tail('5')]));
   await expect(encoding(page)).toHaveValue('gb18030');
-  await cursorBehind(page, 2, 'G0 X5');
+  await cursorAfter(page, 2, 'G0 X5');
   await page.keyboard.type('0');
   expect((await save(page)).bytes).toEqual(Buffer.concat([head, chinese, tail('50')]));
 
   await test.step('undo restores a different line end', async () => {
-    await cursorBehind(page, 2, 'G0 X50');
+    await cursorAfter(page, 2, 'G0 X50');
     await page.keyboard.press('Backspace');
-    await cursorBehind(page, 3, 'G1 Z-9 F1');
+    await cursorAfter(page, 3, 'G1 Z-9 F1');
     await page.keyboard.press('Delete');
     await expect.poll(() => value(page)).toContain('F1M30');
     expect((await save(page)).bytes.includes('F1M30\r\n')).toBe(true);
@@ -110,7 +110,7 @@ test('editing one word changes nothing else in the file', async ({ page }) => {
   });
 
   await test.step('a new line gets the most frequent line end', async () => {
-    await cursorBehind(page, 4, '');
+    await cursorAfter(page, 4, '');
     await page.keyboard.type('M9\n');
     const changed = Buffer.from(tail('5').toString('latin1').replace('M30', 'M9\r\nM30'), 'latin1');
     expect((await save(page)).bytes).toEqual(Buffer.concat([head, chinese, changed]));
@@ -127,7 +127,7 @@ test('a character outside of the encoding is reported, and the file is saved as 
   ]);
   await openFile(page, 'резец.nc', bytes);
   await expect(encoding(page)).toHaveValue('windows-1251');
-  await cursorBehind(page, 1, '(Резец');
+  await cursorAfter(page, 1, '(Резец');
   await page.keyboard.insertText('😀');
   const saved = await save(page);
   expect(saved.bytes.toString('utf8')).toBe('(Резец😀)\r\nM30\r\n');
@@ -148,7 +148,7 @@ test('a wrongly detected encoding can be corrected, also after an edit', async (
   const bytes = Buffer.concat([Buffer.from('O1\n('), Buffer.from([0xb4, 0xd6, 0xb3, 0xb5]), Buffer.from(')\nG0 X1\n')]);
   await openFile(page, 'guess.nc', bytes);
   await expect.poll(() => value(page)).toBe('O1\n(粗车)\nG0 X1\n');
-  await cursorBehind(page, 3, 'G0 X1');
+  await cursorAfter(page, 3, 'G0 X1');
   await page.keyboard.type('0');
   await encoding(page).selectOption('windows-1251');
   await expect(page.getByText('Read again as Windows-1251')).toBeVisible();
@@ -198,9 +198,9 @@ test('after a reload, and after undoing another file, a program is still saved i
 
 test('an element outside of a document refuses to open a file', async ({ page }) => {
   await open(page);
-  const said = await page.evaluate(async () => {
+  const error = await page.evaluate(async () => {
     const element = document.createElement('gcode-playground') as HTMLElement & { openFile(file: File): Promise<void> };
     return element.openFile(new File(['G0 X1\r\n'], 'early.nc')).then(() => '', String);
   });
-  expect(said).toBe('Error: the playground is not in a document');
+  expect(error).toBe('Error: the playground is not in a document');
 });

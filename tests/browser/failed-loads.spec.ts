@@ -68,10 +68,10 @@ async function works(page: Page, motions: number): Promise<void> {
 }
 
 /** The notice is shown, and no message says that the file is loading. */
-async function fails(page: Page, { says, status: said }: File): Promise<void> {
+async function fails(page: Page, { says, status: statusText }: File): Promise<void> {
   await expect(notice(page, says)).toBeVisible();
   await expect(notice(page, says).getByRole('button', { name: 'Try again' })).toBeVisible();
-  await expect(status(page)).toContainText(said);
+  await expect(status(page)).toContainText(statusText);
   await expect(status(page)).not.toContainText('…');
   await expect(page.getByText('Reading …')).toHaveCount(0);
 }
@@ -106,7 +106,7 @@ for (const [name, file] of Object.entries(FILES)) {
       await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
       await fails(page, file);
       for (const [by, trigger] of Object.entries(TRIGGERS)) {
-        const refused = (): number => site.asked.filter((path) => file.pattern.test(`/${path}`)).length;
+        const refused = (): number => site.requested.filter((path) => file.pattern.test(`/${path}`)).length;
         const before = refused();
         await trigger(page, file.says);
         await expect.poll(refused, `asked again after ${by}`).toBeGreaterThan(before);
@@ -126,7 +126,7 @@ test('the network returns while the editor is being retried', async ({ page, eng
   site.refuse(editorFile(), 'closed', engine === 'webkit' ? /editor/ : /again=/);
   await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
   await works(page, 2).catch((error: unknown) => {
-    throw new Error(`asked for ${site.asked.join(' ')}`, { cause: error });
+    throw new Error(`asked for ${site.requested.join(' ')}`, { cause: error });
   });
   await site.stop();
 });
@@ -339,14 +339,14 @@ test('typing retries at most every two seconds', { tag: '@one-engine' }, async (
   await expect(notice(page, INTERPRETER)).toBeVisible();
   await expect(editor(page)).toBeVisible();
   const begun = Date.now();
-  const before = site.asked.filter((path) => pattern.test(path)).length;
+  const before = site.requested.filter((path) => pattern.test(path)).length;
   await editor(page).focus();
   for (let key = 0; key < 50; key++) {
     await page.keyboard.press('X');
     await page.waitForTimeout(100);
   }
   const seconds = (Date.now() - begun) / 1000;
-  const attempts = site.asked.filter((path) => pattern.test(path)).length - before;
+  const attempts = site.requested.filter((path) => pattern.test(path)).length - before;
   expect(attempts).toBeGreaterThan(0);
   // Two more: one at the first key, and one that was already running.
   expect(attempts).toBeLessThanOrEqual(Math.ceil(seconds / 2) + 2);

@@ -14,15 +14,15 @@ const row = (page: BasicPage, name: string): Locator =>
 /** Records announcements from now on; the live region shows each only for a moment. */
 async function announcements(page: BasicPage): Promise<() => Promise<string>> {
   await page.locator('.cm-announced').evaluate((live) => {
-    const heard: string[] = [];
-    Object.assign(globalThis, { heard });
-    new MutationObserver(() => heard.push(live.textContent ?? '')).observe(live, {
+    const liveTexts: string[] = [];
+    Object.assign(globalThis, { liveTexts });
+    new MutationObserver(() => liveTexts.push(live.textContent ?? '')).observe(live, {
       childList: true,
       characterData: true,
       subtree: true,
     });
   });
-  return () => page.evaluate(() => (globalThis as unknown as { heard: string[] }).heard.join(' '));
+  return () => page.evaluate(() => (globalThis as unknown as { liveTexts: string[] }).liveTexts.join(' '));
 }
 
 const IN_WORDS = {
@@ -37,14 +37,14 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
     await page.locator('#language').selectOption(locale);
     await type(page, THREAD);
     await goTo(page, 6, 'G76 X27.4 Z-25 P1299 '.length);
-    const heard = await announcements(page);
+    const liveTexts = await announcements(page);
     await page.keyboard.press('F1');
     const panel = atCursor(page);
     await expect(panel).toContainText('Q400');
     await expect(panel).toContainText(IN_WORDS[locale].peck);
     await expect(panel).toContainText('0.4');
     // It is also announced.
-    await expect.poll(heard).toContain(IN_WORDS[locale].peck);
+    await expect.poll(liveTexts).toContain(IN_WORDS[locale].peck);
     // The code of the same block, and the active modal codes.
     await page.keyboard.press('Home');
     await expect(panel).toContainText('G76');

@@ -124,8 +124,8 @@ test('a plain-text URL survives the round trip', async () => {
       wellFormed(JSON.stringify(randomShared(next))).replace(/\\ud[89a-f]../g, '\ufffd'),
     ) as Shared;
     const { text, setup, control, blockSkip, language, view, step, readonly } = shared;
-    const said = { text, setup, control, blockSkip, program: null, language, view, step, readonly };
-    expect(await opened(`#${writtenLink(said)}`)).toEqual({ ...NOTHING_SAID, ...said });
+    const inPlainText = { text, setup, control, blockSkip, program: null, language, view, step, readonly };
+    expect(await opened(`#${writtenLink(inPlainText)}`)).toEqual({ ...NOTHING_SAID, ...inPlainText });
   }
 });
 

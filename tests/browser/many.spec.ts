@@ -188,7 +188,7 @@ async function manual(page: ChromiumPage, count: number, attributes: string, act
   try {
     await page.goto(`${site.origin}/index.html`);
     await act();
-    const asked = site.asked.filter((path) => path.startsWith('/embed/'));
+    const asked = site.requested.filter((path) => path.startsWith('/embed/'));
     expect(
       asked.filter((path, at) => asked.indexOf(path) !== at),
       'asked for twice',

@@ -132,8 +132,8 @@ test('a host as in the recipe allows all origins, and without that header the fr
   );
   const python = spawn('python3', ['-u', '-c', server], { cwd: FILES, stdio: ['ignore', 'pipe', 'ignore'] });
   try {
-    const said = await new Promise<string>((done) => python.stdout.on('data', (data: Buffer) => done(String(data))));
-    const port = /port (\d+)/.exec(said)?.[1] ?? '';
+    const output = await new Promise<string>((done) => python.stdout.on('data', (data: Buffer) => done(String(data))));
+    const port = /port (\d+)/.exec(output)?.[1] ?? '';
     const frame = (origin: string): string =>
       `<!DOCTYPE html><iframe sandbox="allow-scripts" width="600" height="400" src="${origin}/index.html#view=picture&amp;program=G00%20X50%20Z2"></iframe>`;
     const own = await serve(FILES, (origin) => ({

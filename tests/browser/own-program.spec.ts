@@ -181,11 +181,11 @@ test('the program of a link stays in the URL until the text differs', async ({ p
 
   await editor(page).focus();
   await page.keyboard.insertText('G04 X1\n');
-  const said = page.getByText('This began as the program of a link');
-  await expect(said).toBeVisible();
+  const linkNotice = page.getByText('This began as the program of a link');
+  await expect(linkNotice).toBeVisible();
   expect(await address(page)).not.toContain('#program=');
   await page.getByRole('button', { name: 'Open the link again' }).click();
   await expect.poll(() => value(page)).toBe('O0001\nG00 X20 Z2\nG01 Z-10 F0.1\nM30\n');
   expect(await address(page)).toContain('#program=');
-  await expect(said).toBeHidden();
+  await expect(linkNotice).toBeHidden();
 });

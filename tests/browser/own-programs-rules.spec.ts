@@ -27,19 +27,19 @@ test.beforeAll(async () => {
 });
 
 /** Ages of the retained states, if there is one state every `apart` up to `oldest`. */
-function staying(apart: number, oldest: number): number[] {
+function keptAges(apart: number, oldest: number): number[] {
   const states = Array.from({ length: Math.floor(oldest / apart) }, (_, i) => ({ time: NOW - i * apart, length: 10 }));
   const gone = new Set(rules.superfluous(states, NOW));
   return states.filter((state) => !gone.has(state)).map(({ time }) => NOW - time);
 }
 
 test('all states of the last ten minutes are kept, then one per ten minutes of a day, then one per day', () => {
-  const recent = staying(15 * SECOND, 10 * MINUTE);
+  const recent = keptAges(15 * SECOND, 10 * MINUTE);
   expect(recent).toHaveLength(40);
-  const ofToday = staying(MINUTE, 8 * HOUR).filter((age) => age >= 10 * MINUTE);
+  const ofToday = keptAges(MINUTE, 8 * HOUR).filter((age) => age >= 10 * MINUTE);
   expect(ofToday.length).toBeGreaterThanOrEqual(47);
   expect(ofToday.length).toBeLessThanOrEqual(48);
-  const before = staying(HOUR, 60 * DAY).filter((age) => age >= DAY);
+  const before = keptAges(HOUR, 60 * DAY).filter((age) => age >= DAY);
   expect(before.length).toBeGreaterThanOrEqual(59);
   expect(before.length).toBeLessThanOrEqual(60);
 });

@@ -3,7 +3,7 @@
 // editor.
 import { readFileSync } from 'node:fs';
 import { expect, test, type BasicPage, type Locator, type Page } from './engines';
-import { addUnseen, items, kept, list, secondTab } from './own-programs';
+import { addInHiddenTab, items, kept, list, secondTab } from './own-programs';
 import { editor, open, openFile, program, type, value } from './page';
 
 const SHAFT = 'O0011 (SHAFT)\nG00 X32 Z2\nG01 Z-30 F0.2\nM30\n';
@@ -324,16 +324,16 @@ test('changes of another tab are not overwritten when the page of the program is
   await expect.poll(() => page.evaluate(() => performance.timeOrigin).catch(() => next)).not.toBe(next);
   await expect.poll(() => value(page)).toContain('O1');
   // A browser without the cached page loads it again.
-  const isShownAgain = (await page.evaluate(() => document.documentElement.dataset['before'])) === 'yes';
-  if (engine === 'webkit') expect(isShownAgain).toBe(true);
-  if (isShownAgain) await expect(said(page)).toContainText('in another tab');
+  const isRestored = (await page.evaluate(() => document.documentElement.dataset['before'])) === 'yes';
+  if (engine === 'webkit') expect(isRestored).toBe(true);
+  if (isRestored) await expect(said(page)).toContainText('in another tab');
   await typeAtEnd(page, '(C)');
   await kept(page);
   await openList(page);
   await expect
     .poll(async () => (await textsInList(page)).filter((text) => text.startsWith('O1\nG00 X1(A)(B)')))
     .toHaveLength(1);
-  if (isShownAgain) expect(await textsInList(page)).toContain('O1\nG00 X1(A)(C)');
+  if (isRestored) expect(await textsInList(page)).toContain('O1\nG00 X1(A)(C)');
 });
 
 test('leaving asks for confirmation while a long program is unsaved', async ({ page }) => {
@@ -428,7 +428,7 @@ test('a full list reports that it stores no more, and the text stays in the edit
 /** Clicks a button in a hidden tab, where nothing is painted. */
 const press = (button: Locator): Promise<void> => button.evaluate((element) => element.click());
 
-async function openListUnseen(page: BasicPage): Promise<void> {
+async function openListInHiddenTab(page: BasicPage): Promise<void> {
   await press(button(page));
   await expect(list(page).getByRole('status')).not.toHaveText('');
 }
@@ -439,7 +439,7 @@ test('a change of the same program in another tab is reported, and shown on requ
   await kept(page);
   const second = await secondTab(page);
   await expect.poll(() => value(second)).toBe(SHAFT);
-  await addUnseen(second, '(of the second tab)');
+  await addInHiddenTab(second, '(of the second tab)');
   await expect(said(page)).toContainText('This program was changed in another tab.');
   const theirs = await value(second);
   expect(theirs).toContain('(of the second tab)');
@@ -447,9 +447,9 @@ test('a change of the same program in another tab is reported, and shown on requ
   await expect.poll(() => value(page)).toBe(theirs);
   await expect(said(page)).toBeHidden();
   await test.step('both tabs continue with one program', async () => {
-    await addUnseen(page, '(of the first)');
+    await addInHiddenTab(page, '(of the first)');
     await expect(said(second)).toContainText('This program was changed in another tab.');
-    await openListUnseen(page);
+    await openListInHiddenTab(page);
     await expect(items(page)).toHaveCount(1);
   });
 });
@@ -459,27 +459,27 @@ test('two tabs that change the same program keep both texts', async ({ page }) =
   await type(page, SHAFT);
   await kept(page);
   const second = await secondTab(page);
-  await addUnseen(second, '(of the second tab)');
+  await addInHiddenTab(second, '(of the second tab)');
   await expect(said(page)).toContainText('This program was changed in another tab.');
-  await addUnseen(page, '(of the first)');
+  await addInHiddenTab(page, '(of the first)');
   await expect(said(page)).toContainText('Both are kept: this one is now “O0011 SHAFT (2)”.');
   const mine = await value(page);
-  await openListUnseen(page);
+  await openListInHiddenTab(page);
   await expect(items(page)).toHaveCount(2);
   await expect(items(page).filter({ hasText: 'open now' })).toContainText('O0011 SHAFT (2)');
   expect(mine).toContain('(of the first)');
   await press(items(page).filter({ hasText: 'O0011 SHAFT' }).last().getByRole('button').first());
   await expect.poll(() => value(page)).toContain('(of the second tab)');
   await test.step('both texts are kept immediately on request', async () => {
-    await addUnseen(second, '(more)');
+    await addInHiddenTab(second, '(more)');
     await press(said(page).getByRole('button', { name: 'Keep both' }));
     await expect(said(page)).toContainText('Both are kept');
-    await openListUnseen(page);
+    await openListInHiddenTab(page);
     await expect(items(page)).toHaveCount(3);
   });
   await test.step('a program deleted in the other tab stays on the page', async () => {
     await press(list(page).getByRole('button', { name: 'Close' }));
-    await openListUnseen(second);
+    await openListInHiddenTab(second);
     await press(list(second).getByRole('button', { name: 'What can be done with O0011 SHAFT (3)', exact: true }));
     await press(list(second).getByRole('button', { name: 'Delete', exact: true }));
     await expect(said(page)).toContainText('This program was deleted in another tab.');

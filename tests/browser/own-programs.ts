@@ -32,7 +32,7 @@ export async function secondTab(page: Page, hash = ''): Promise<Page> {
 }
 
 /** Adds to the text like a user, in a hidden tab. */
-export async function addUnseen(page: BasicPage, text: string): Promise<void> {
+export async function addInHiddenTab(page: BasicPage, text: string): Promise<void> {
   await page.locator('gcode-playground').evaluate((element, added) => {
     const content = element.shadowRoot?.querySelector('.cm-content') as HTMLElement;
     content.focus();

@@ -317,10 +317,10 @@ test("with Vite's development server, as in its README", async ({ page }) => {
   );
   try {
     const address = await new Promise<string>((resolve) => {
-      let said = '';
+      let serverLog = '';
       server.stdout.on('data', (data: Buffer) => {
-        said += data.toString();
-        const found = /http:\/\/127\.0\.0\.1:\d+\//.exec(said)?.[0];
+        serverLog += data.toString();
+        const found = /http:\/\/127\.0\.0\.1:\d+\//.exec(serverLog)?.[0];
         if (found !== undefined) resolve(found);
       });
     });

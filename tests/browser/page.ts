@@ -65,11 +65,11 @@ export async function open(page: BasicPage, hash = ''): Promise<void> {
   await expect(status(page)).toContainText(/\d/);
   // The status ends with dots while something is still loading.
   await expect(status(page)).not.toContainText('…');
-  await page.locator('gcode-playground').evaluate(atRest);
+  await page.locator('gcode-playground').evaluate(waitForLayout);
 }
 
 /** Waits for content that arrives after the first picture, so that the layout no longer moves under a click. */
-async function atRest(element: Element): Promise<void> {
+async function waitForLayout(element: Element): Promise<void> {
   await (element as Playground).settled;
   const examples = document.querySelector<HTMLSelectElement>('#example');
   // A test may block the list of examples.

@@ -7,7 +7,7 @@ import { examples, motionCount, open, openFile, type } from './page';
 const LATE_MS = 3_000;
 const PROGRAM = 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nM30\n';
 const PROGRAM_WITH_NOTE = `(STOCK D=60 LENGTH=80)\n${PROGRAM}`;
-const COMING = /^\d+ motions · \d+ lines · part and messages are loading …$/;
+const LOADING = /^\d+ motions · \d+ lines · part and messages are loading …$/;
 
 /** Intercepts requests for the file of a part or a language. */
 async function route(page: ChromiumPage, part: string, answer: (route: Route) => Promise<void>): Promise<void> {
@@ -84,7 +84,7 @@ for (const part of ['late', 'en']) {
     // Loading, the path, then everything; sizes of the layout may change in between.
     expect(said.filter((line) => !line.startsWith('Part …'))).toEqual([
       'Loading …',
-      expect.stringMatching(COMING),
+      expect.stringMatching(LOADING),
       atOnce.said.at(-1),
     ]);
     expect(listed).toEqual(atOnce.listed.at(-1) === 0 ? [0] : [0, atOnce.listed.at(-1)]);
@@ -104,7 +104,7 @@ for (const part of ['early', 'early-late']) {
     const atOnce = await watched(page);
     await route(page, part, late);
     const { said, listed, pictures } = await watched(page);
-    expect(said.filter((line) => !line.startsWith('Part …') && !COMING.test(line))).toEqual([
+    expect(said.filter((line) => !line.startsWith('Part …') && !LOADING.test(line))).toEqual([
       'Loading …',
       atOnce.said.at(-1),
     ]);
@@ -156,7 +156,7 @@ test('a setup in a comment applies from the first picture', async ({ page }) => 
 test('without a setup, the first picture does not wait for the setup part', async ({ page }) => {
   await route(page, 'early', late);
   await page.goto(`./#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
-  await expect(page.getByRole('status')).toHaveText(COMING);
+  await expect(page.getByRole('status')).toHaveText(LOADING);
   await settled(page);
   await expect(page.getByRole('status')).toHaveText(/^2 motions · 4 lines · 1 problem$/);
 });

@@ -20,10 +20,10 @@ async function openPicture(page: BasicPage, view: string): Promise<void> {
       element.setAttribute('view', view);
       element.textContent = text;
       document.body.replaceChildren(element);
-      const told: number[] = [];
-      Object.assign(window, { told });
+      const reported: number[] = [];
+      Object.assign(window, { reported });
       element.addEventListener('gcode-report', (event) => {
-        told.push((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions);
+        reported.push((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions);
       });
       const script = document.createElement('script');
       script.type = 'module';
@@ -73,7 +73,7 @@ function scripts(page: BasicPage): Promise<string[]> {
 test('view="picture" draws the program and loads neither the editor nor the panels', async ({ page }) => {
   await openPicture(page, 'picture');
   expect(await cuts(page)).toBeGreaterThan(100);
-  expect(await page.evaluate(() => (window as unknown as { told: number[] }).told)).toContain(motionCount(ID));
+  expect(await page.evaluate(() => (window as unknown as { reported: number[] }).reported)).toContain(motionCount(ID));
   // Two pictures, one of them hidden; no editor, no buttons, no status line.
   await expect(page.getByRole('img')).toHaveCount(1);
   for (const role of ['textbox', 'button', 'slider', 'status', 'combobox'] as const)

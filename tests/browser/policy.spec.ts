@@ -211,7 +211,7 @@ function pictureOnPaper(page: BasicPage): Promise<number> {
 }
 
 /** The policies in the reference: for the same origin, and for another origin. */
-function stated(): readonly string[] {
+function documentedPolicies(): readonly string[] {
   const reference = readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8');
   return [...reference.matchAll(/^ {4}(default-src .*)$/gm)].map(([, policy = '']) => policy);
 }
@@ -226,12 +226,12 @@ for (const [at, name] of ['the same origin', 'another origin'].entries()) {
       },
       pageHeaders:
         host === ''
-          ? { 'content-security-policy': stated()[at] ?? '' }
-          : { 'content-security-policy': (stated()[at] ?? '').replaceAll('https://host.example', host) },
+          ? { 'content-security-policy': documentedPolicies()[at] ?? '' }
+          : { 'content-security-policy': (documentedPolicies()[at] ?? '').replaceAll('https://host.example', host) },
       filesAt: '/embed/',
       fileHeaders: CORS,
     });
-    expect(stated().length).toBe(2);
+    expect(documentedPolicies().length).toBe(2);
     const host = at === 0 ? undefined : await serve(EMBED, () => site(''));
     const own = await serve(EMBED, () => site(host?.origin ?? ''));
     try {

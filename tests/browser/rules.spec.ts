@@ -116,8 +116,8 @@ test('the link of a problem is beside it, and its repair below', async ({ page }
   await expect(item.getByRole('button')).toHaveCount(2);
   await expect(async () => {
     const places = [item.getByRole('button').first(), item.getByRole('link'), item.getByRole('button').last()];
-    const [told, link, repair] = await Promise.all(places.map(async (place) => (await place.boundingBox())!));
-    expect(told!.x + told!.width).toBeLessThanOrEqual(link!.x + 1);
-    expect(repair!.y).toBeGreaterThanOrEqual(told!.y + told!.height - 1);
+    const [messageBox, link, repair] = await Promise.all(places.map(async (place) => (await place.boundingBox())!));
+    expect(messageBox!.x + messageBox!.width).toBeLessThanOrEqual(link!.x + 1);
+    expect(repair!.y).toBeGreaterThanOrEqual(messageBox!.y + messageBox!.height - 1);
   }).toPass({ timeout: 5000 });
 });

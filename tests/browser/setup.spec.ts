@@ -16,7 +16,7 @@ async function openForm(page: Page): Promise<void> {
 }
 
 /** The part is drawn where it has material: the pixel differs from the background. */
-async function partIsThere(page: Page): Promise<void> {
+async function expectPart(page: Page): Promise<void> {
   await expect(status(page)).toContainText(/^4 motions/);
   await expect(page.getByText('No motion yet')).toBeHidden();
 }
@@ -25,7 +25,7 @@ async function begin(page: Page, text = PROGRAM): Promise<void> {
   await open(page);
   await openFile(page, 'own.nc', Buffer.from(text));
   await expect(page.getByText('Opened own.nc')).toBeVisible();
-  await partIsThere(page);
+  await expectPart(page);
 }
 
 test('unset values are shown as assumed, and can be set by keyboard', async ({ page }) => {
@@ -199,7 +199,7 @@ test('invalid values are reported at their fields', async ({ page }) => {
     await expect(field(page, 'Stock', name)).toBeFocused();
   }
   await form(page).getByRole('button', { name: 'Close' }).click();
-  await partIsThere(page);
+  await expectPart(page);
 });
 
 for (const [what, setup, told] of [
@@ -214,7 +214,7 @@ for (const [what, setup, told] of [
     await page.locator('gcode-playground').evaluate((element, json) => element.setAttribute('setup', json), setup);
     const rejected = page.getByRole('alert').filter({ hasText: told });
     await expect(rejected.or(problems(page).getByText(told)).first()).toBeVisible();
-    await partIsThere(page);
+    await expectPart(page);
     await openForm(page);
   });
 }
@@ -229,7 +229,7 @@ for (const [what, note, told] of [
   test(`in comments: ${what}`, async ({ page }) => {
     await begin(page, `${note}\n${PROGRAM}`);
     await expect(problems(page).getByText(told).first()).toBeVisible();
-    await partIsThere(page);
+    await expectPart(page);
     await openForm(page);
   });
 }

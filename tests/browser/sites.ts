@@ -30,7 +30,7 @@ export interface Site {
 export interface ServedSite {
   readonly origin: string;
   /** Requested paths, in order. */
-  readonly asked: readonly string[];
+  readonly requested: readonly string[];
   /** The report that a page has sent to `/report`. */
   readonly reported: Promise<string>;
   close(): Promise<void>;
@@ -48,12 +48,12 @@ const TYPES: Headers = {
 
 /** Serves a site on a new port and therefore as a separate origin. `at` may be called before the port is known. */
 export async function serve(files: string, site: (origin: string) => Site): Promise<ServedSite> {
-  const asked: string[] = [];
+  const requested: string[] = [];
   let report: (text: string) => void = () => undefined;
   const reported = new Promise<string>((resolve) => (report = resolve));
   const server = createServer((request, response) => {
     const path = new URL(request.url ?? '/', 'http://localhost').pathname;
-    asked.push(path);
+    requested.push(path);
     if (path === '/report') {
       void bodyOf(request).then((text) => {
         report(text);
@@ -66,7 +66,7 @@ export async function serve(files: string, site: (origin: string) => Site): Prom
   await listenOnNewPort(server);
   return {
     origin: originOf(server),
-    asked,
+    requested,
     reported,
     close: () =>
       new Promise((resolve) => {

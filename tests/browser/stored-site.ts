@@ -21,7 +21,7 @@ export type Refusal = 'missing' | 'closed' | 'corrupted';
 export interface StoredSite {
   readonly address: string;
   /** Requested paths. */
-  readonly asked: string[];
+  readonly requested: string[];
   /** Stops answering requests. */
   stop(): Promise<void>;
   start(): Promise<void>;
@@ -47,13 +47,13 @@ const TYPES: Readonly<Record<string, string>> = {
 
 /** Serves the page from a folder of its site: `/` or `/some/where/`. */
 export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
-  const asked: string[] = [];
+  const requested: string[] = [];
   let changes: Changes = new Map();
   let refused: { readonly pattern: RegExp; readonly how: Refusal; readonly last: RegExp | undefined } | undefined;
   const answer = async (request: IncomingMessage, response: ServerResponse): Promise<void> => {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     const path = normalize(pathname.slice(at.length) + (pathname.endsWith('/') ? 'index.html' : ''));
-    asked.push(path);
+    requested.push(path);
     const refusal = refused?.pattern.test(path) === true ? refused.how : undefined;
     if (refusal !== undefined && refused?.last?.test(request.url ?? '') === true) refused = undefined;
     if (refusal === 'closed') return void request.socket.destroy();
@@ -74,7 +74,7 @@ export async function storedSite(at = '/', folder = DIST): Promise<StoredSite> {
   const port = await listenOnNewPort(server);
   return {
     address: `http://127.0.0.1:${port}${at}`,
-    asked,
+    requested,
     stop: () =>
       new Promise((resolve) => {
         server.close(() => resolve());

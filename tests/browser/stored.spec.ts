@@ -233,7 +233,7 @@ test('the element in another page stores nothing', async ({ page }) => {
       (await caches.keys()).length,
     ]),
   ).toEqual([0, 0]);
-  expect(site.asked.filter((path) => /service-worker|offline\//.test(path))).toEqual([]);
+  expect(site.requested.filter((path) => /service-worker|offline\//.test(path))).toEqual([]);
   await site.stop();
 });
 

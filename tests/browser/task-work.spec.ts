@@ -1,7 +1,7 @@
 // Work on a task: each link to a task restores the pupil's work on it, whatever was opened in between; deleted work is
 // not restored, and no stored value keeps the page from starting.
 import { expect, test, type BasicPage } from './engines';
-import { addUnseen, items, kept, list, secondTab } from './own-programs';
+import { addInHiddenTab, items, kept, list, secondTab } from './own-programs';
 import { editor, open, value } from './page';
 
 interface Task {
@@ -34,7 +34,7 @@ const first: Task = { ...FIRST, link: linkTo(FIRST) };
 const second: Task = { ...SECOND, link: linkTo(SECOND) };
 
 /** Opens a URL as in a new tab. */
-async function openAfresh(page: BasicPage, hash = ''): Promise<void> {
+async function openNewPage(page: BasicPage, hash = ''): Promise<void> {
   await page.goto('about:blank');
   await open(page, hash);
 }
@@ -72,10 +72,10 @@ test('two tasks: each link restores its own work, which can be continued', async
   await open(page, first.link);
   const onFirst = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
-  await openAfresh(page, second.link);
+  await openNewPage(page, second.link);
   const onSecond = await work(page, second, 'G01 X-1 F0.2');
   await kept(page);
-  await openAfresh(page, first.link);
+  await openNewPage(page, first.link);
   await isShown(page, first, onFirst);
   await expect(page.getByText('Your last program is kept')).toHaveCount(0);
   await editor(page).focus();
@@ -84,9 +84,9 @@ test('two tasks: each link restores its own work, which can be continued', async
   const more = `${onFirst}(MORE)`;
   await expect.poll(() => value(page)).toBe(more);
   await kept(page);
-  await openAfresh(page, second.link);
+  await openNewPage(page, second.link);
   await isShown(page, second, onSecond);
-  await openAfresh(page, first.link);
+  await openNewPage(page, first.link);
   await isShown(page, first, more);
   await hasPrograms(page, 2);
 });
@@ -95,13 +95,13 @@ test('a changed example on the page without a link does not affect the work', as
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
-  await openAfresh(page);
+  await openNewPage(page);
   await page.goto('about:blank');
   await open(page, '#s003-g71');
   await editor(page).focus();
   await page.keyboard.insertText('(MINE)');
   await kept(page);
-  await openAfresh(page, first.link);
+  await openNewPage(page, first.link);
   await isShown(page, first, done);
 });
 
@@ -137,7 +137,7 @@ test('in one tab: the URL without a link, with and without a reload, and back by
   await page.waitForTimeout(300);
   await go(page, first.link);
   await isShown(page, first, done);
-  await openAfresh(page);
+  await openNewPage(page);
   await expect.poll(() => value(page)).toBe(done);
   await editor(page).focus();
   await page.keyboard.press('Control+End');
@@ -156,8 +156,8 @@ test('"Open the link again" starts over, and the new text becomes the work', asy
   await expect.poll(() => value(page)).toBe(first.begin);
   const anew = await work(page, first, 'G01 X32 F0.2');
   await kept(page);
-  await openAfresh(page, second.link);
-  await openAfresh(page, first.link);
+  await openNewPage(page, second.link);
+  await openNewPage(page, first.link);
   await isShown(page, first, anew);
   await hasPrograms(page, 2);
 });
@@ -166,8 +166,8 @@ test('a line break or a full stop added by a mail program does not make another 
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
-  await openAfresh(page, second.link);
-  await openAfresh(page, `${first.link.slice(0, 60)}%0A${first.link.slice(60)}.`);
+  await openNewPage(page, second.link);
+  await openNewPage(page, `${first.link.slice(0, 60)}%0A${first.link.slice(60)}.`);
   await isShown(page, first, done);
 });
 
@@ -175,7 +175,7 @@ test('deleted work is not restored, except by undo', async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
-  await openAfresh(page, second.link);
+  await openNewPage(page, second.link);
   await page.getByRole('button', { name: 'My programs…' }).first().click();
   await expect(items(page)).toHaveCount(1);
   await list(page).getByRole('button', { name: 'What can be done with O0001', exact: true }).click();
@@ -187,13 +187,13 @@ test('deleted work is not restored, except by undo', async ({ page }) => {
   await list(page).getByRole('button', { name: 'Undo' }).click();
   await expect(items(page)).toHaveCount(1);
   await list(page).getByRole('button', { name: 'Close' }).click();
-  await openAfresh(page, first.link);
+  await openNewPage(page, first.link);
   await isShown(page, first, done);
   await page.getByRole('button', { name: 'My programs…' }).first().click();
   await list(page).getByRole('button', { name: 'What can be done with O0001', exact: true }).click();
   await list(page).getByRole('button', { name: 'Delete', exact: true }).click();
   await expect(items(page)).toHaveCount(0);
-  await openAfresh(page, first.link);
+  await openNewPage(page, first.link);
   await expect.poll(() => value(page)).toBe(first.begin);
   await expect(page.getByText('Bring it back')).toHaveCount(0);
 });
@@ -207,11 +207,11 @@ test('the link opens the newer work of another tab, and continues with the same 
   await other.waitForTimeout(1000);
   await go(page, second.link);
   await expect.poll(() => value(page)).toBe(second.begin);
-  await addUnseen(other, '(OF THE OTHER)');
+  await addInHiddenTab(other, '(OF THE OTHER)');
   await kept(other);
   await go(page, first.link);
   await isShown(page, first, `${done}(OF THE OTHER)`);
-  await addUnseen(page, '(OF THIS)');
+  await addInHiddenTab(page, '(OF THIS)');
   await kept(page);
   await page
     .getByRole('button', { name: 'My programs…' })
@@ -225,7 +225,7 @@ test('the task opens with any stored value in place of the work', { tag: '@night
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
-  await openAfresh(page, second.link);
+  await openNewPage(page, second.link);
   const key = await page.evaluate(
     () => Object.keys(localStorage).find((key) => key.startsWith('gcode-playground:task:')) ?? '',
   );
@@ -250,7 +250,7 @@ test('the task opens with any stored value in place of the work', { tag: '@night
   for (const value of hostile)
     await test.step(value.slice(0, 60), async () => {
       await page.evaluate(({ key, value }) => localStorage.setItem(key, value), { key, value });
-      await openAfresh(page, first.link);
+      await openNewPage(page, first.link);
       await expect(page.getByText(`Task: ${first.sentence}`)).toBeVisible();
       expect(
         await page
@@ -259,7 +259,7 @@ test('the task opens with any stored value in place of the work', { tag: '@night
       ).toMatch(/^O0001/);
     });
   await page.evaluate(({ key, noted }) => localStorage.setItem(key, noted ?? ''), { key, noted });
-  await openAfresh(page, first.link);
+  await openNewPage(page, first.link);
   await isShown(page, first, done);
 });
 
@@ -288,7 +288,7 @@ test('a database that does not respond delays the picture only briefly', async (
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
-  await openAfresh(page, second.link);
+  await openNewPage(page, second.link);
   await work(page, second, 'G01 X-1 F0.2');
   await kept(page);
   await page.addInitScript(() => {
@@ -305,7 +305,7 @@ test('a database that does not respond delays the picture only briefly', async (
       return request;
     };
   });
-  await openAfresh(page, first.link);
+  await openNewPage(page, first.link);
   await expect.poll(() => value(page)).toBe(first.begin);
   await page.evaluate(() => (window as unknown as { answer(): void }).answer());
   await page.getByRole('button', { name: 'Bring it back' }).click();

@@ -133,15 +133,15 @@ interface Talk {
 
 /** Runs before the scripts of the page: stores its worker. */
 function keepWorker(): void {
-  const heard = new Set<(message: unknown) => void>();
-  Object.assign(window, { heard });
+  const listeners = new Set<(message: unknown) => void>();
+  Object.assign(window, { listeners });
   window.Worker = class extends Worker {
     constructor(...parameters: ConstructorParameters<typeof Worker>) {
       super(...parameters);
-      Object.assign(window, { spokenTo: this });
+      Object.assign(window, { keptWorker: this });
       // Registered before the listener of the page, which closes images of unknown sessions.
       this.addEventListener('message', ({ data }) => {
-        for (const listener of heard) listener(data);
+        for (const listener of listeners) listener(data);
       });
     }
   };
@@ -150,11 +150,14 @@ function keepWorker(): void {
 /** Opens a session in the worker of the page. */
 function openSession(): void {
   const session = 4711;
-  const { spokenTo, heard } = window as unknown as { spokenTo: Worker; heard: Set<(message: unknown) => void> };
+  const { keptWorker, listeners } = window as unknown as {
+    keptWorker: Worker;
+    listeners: Set<(message: unknown) => void>;
+  };
   const images: Talk['images'] = new Map();
   let [said, settled] = [0, (): void => undefined];
-  const post = (what: object): void => spokenTo.postMessage({ kind: 'say', session, what });
-  heard.add((message) => {
+  const post = (what: object): void => keptWorker.postMessage({ kind: 'say', session, what });
+  listeners.add((message) => {
     const {
       kind,
       session: of,

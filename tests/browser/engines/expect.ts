@@ -7,7 +7,7 @@ import { ForeignLocator, ForeignPage } from './foreign';
 import type { BasicPage, Locator, Text } from './interface';
 
 /** Timeout of a matcher, ms; same as `expect.timeout` in playwright.config.ts. */
-const PATIENCE = 10_000;
+const TIMEOUT = 10_000;
 const PAUSE = 60;
 
 interface Patience {
@@ -73,7 +73,7 @@ async function until<T>(
   look: () => Promise<T>,
   good: (seen: T) => boolean,
 ): Promise<void> {
-  const end = Date.now() + (patience.timeout ?? PATIENCE);
+  const end = Date.now() + (patience.timeout ?? TIMEOUT);
   for (;;) {
     const seen = await look();
     if (good(seen)) return;

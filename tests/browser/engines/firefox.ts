@@ -15,14 +15,14 @@ import { DocumentLeft, type Driver, type Tab, within } from './driver';
 import { program } from './programs';
 
 /** Timeout for a response of Firefox, ms; a script may take long. */
-const HANGS = 120_000;
+const TIMEOUT = 120_000;
 
 export async function firefox(viewport: { width: number; height: number }): Promise<Driver> {
   const browser = await launch({
     browser: 'firefox',
     executablePath: program('PLAYGROUND_FIREFOX'),
     headless: true,
-    protocolTimeout: HANGS,
+    protocolTimeout: TIMEOUT,
     timeout: 60_000,
     defaultViewport: viewport,
     extraPrefsFirefox: {
@@ -53,7 +53,7 @@ function end(browser: Browser): void {
 }
 
 class FirefoxTab implements Tab {
-  private readonly told: string[] = [];
+  private readonly pageErrors: string[] = [];
   private readonly beside: Page[] = [];
 
   constructor(
@@ -62,7 +62,7 @@ class FirefoxTab implements Tab {
     readonly downloads: string,
   ) {
     page.on('pageerror', (error) =>
-      this.told.push(error instanceof Error ? (error.stack ?? error.message) : String(error)),
+      this.pageErrors.push(error instanceof Error ? (error.stack ?? error.message) : String(error)),
     );
     page.on('popup', (popup) => popup !== null && this.beside.push(popup));
   }
@@ -132,7 +132,7 @@ class FirefoxTab implements Tab {
     return Promise.resolve(page === undefined ? undefined : new FirefoxTab(page, this.context, this.downloads));
   }
   errors(): Promise<string[]> {
-    return Promise.resolve(this.told.splice(0));
+    return Promise.resolve(this.pageErrors.splice(0));
   }
   async close(): Promise<void> {
     await within(20_000, 'closing a tab of Firefox', this.page.close(), () => end(this.context.browser()));

@@ -1,9 +1,9 @@
 // Flaky tests: a test that fails once and passes in a retry indicates an intermittent fault of the page or of the test.
-// They are listed at the end of the run. More than MOST of them fail the run.
+// They are listed at the end of the run. More than MAX_FLAKY of them fail the run.
 import type { Reporter, TestCase, TestResult } from '@playwright/test/reporter';
 
 /** Number of tests, of about 1,500 in three engines, that may need a retry before the run fails. */
-const MOST = 2;
+const MAX_FLAKY = 2;
 
 export default class Flaky implements Reporter {
   readonly #failed = new Map<TestCase, string>();
@@ -24,8 +24,8 @@ export default class Flaky implements Reporter {
   async onEnd(): Promise<{ status: 'failed' } | undefined> {
     for (const [title, message] of this.#flaky)
       console.log(`\npassed only when tried again, look at it: ${title}\n  ${message}`);
-    if (this.#flaky.size <= MOST) return undefined;
-    console.log(`\n${this.#flaky.size} tests passed only when tried again; ${MOST} may.`);
+    if (this.#flaky.size <= MAX_FLAKY) return undefined;
+    console.log(`\n${this.#flaky.size} tests passed only when tried again; ${MAX_FLAKY} may.`);
     return { status: 'failed' };
   }
 

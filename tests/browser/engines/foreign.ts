@@ -9,7 +9,7 @@ import type { Question, Ready, Step, Wanted } from './finder';
 import type { Box, Download, Finds, Keyboard, Locator, Mouse, Page, Role, Text } from './interface';
 
 /** Timeout of an action, ms. */
-export const PATIENCE = 10_000;
+export const TIMEOUT = 10_000;
 /** Polling interval, ms. */
 const PAUSE = 60;
 
@@ -198,7 +198,7 @@ export class ForeignLocator extends Finder implements Locator {
   }
   /** Retries until the result is not a reason for failure (a string). */
   private async until<T>(what: string, look: () => Promise<T | string>): Promise<T> {
-    const end = Date.now() + PATIENCE;
+    const end = Date.now() + TIMEOUT;
     for (;;) {
       const found = await look();
       if (typeof found !== 'string') return found;
@@ -282,7 +282,7 @@ export class ForeignPage extends Finder implements Page {
    */
   async find(name: 'ask' | 'ready' | 'act' | 'insert', ...args: unknown[]): Promise<unknown> {
     const looks = name === 'ask' || name === 'ready';
-    for (const end = Date.now() + PATIENCE; ; await pause(PAUSE)) {
+    for (const end = Date.now() + TIMEOUT; ; await pause(PAUSE)) {
       try {
         return await this.installedAnd(call(`(...all) => globalThis.finder.${name}(...all)`, args));
       } catch (error) {
@@ -320,7 +320,7 @@ export class ForeignPage extends Finder implements Page {
   waitForEvent(event: 'download'): Promise<Download>;
   waitForEvent(event: 'popup'): Promise<Page>;
   async waitForEvent(event: 'download' | 'popup'): Promise<Download | Page> {
-    const end = Date.now() + PATIENCE;
+    const end = Date.now() + TIMEOUT;
     for (;;) {
       const found = event === 'popup' ? await this.popup() : await this.download();
       if (found !== undefined) return found;
@@ -364,13 +364,13 @@ export class ForeignPage extends Finder implements Page {
 
   /** For error messages: URL of the page, its loading state and its errors. */
   async condition(): Promise<string> {
-    const told = async (): Promise<string> => {
+    const describe = async (): Promise<string> => {
       const state = await this.tab.evaluate(
         call('() => `${location.href} is ${document.readyState}, ${document.visibilityState}`', []),
       );
       return [state, ...(await this.errors())].join('; ');
     };
-    return Promise.race([told(), pause(3000, 'the page gives no answer')]).catch((error: unknown) => String(error));
+    return Promise.race([describe(), pause(3000, 'the page gives no answer')]).catch((error: unknown) => String(error));
   }
   private async errors(): Promise<string[]> {
     return (await this.tab.errors()).filter((error) => !error.includes(LATE_SIZES));

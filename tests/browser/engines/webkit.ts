@@ -13,7 +13,7 @@ import { program } from './programs';
 import { type Relay, relay } from './relay';
 
 /** Timeout for a response, ms; a script may take long. */
-const HANGS = 120_000;
+const TIMEOUT = 120_000;
 const STARTS = 60_000;
 /** Size of the display: large enough for the window and its toolbars. */
 const SCREEN = '1600x1200x24';
@@ -65,11 +65,11 @@ export async function webkit(viewport: { width: number; height: number }, server
       const answer = await fetch(`http://127.0.0.1:${port}${path}`, {
         method,
         ...(body === undefined ? {} : { body: JSON.stringify(body) }),
-        signal: AbortSignal.timeout(HANGS),
+        signal: AbortSignal.timeout(TIMEOUT),
       }).catch((error: unknown) => {
         if (!(error instanceof Error) || error.name !== 'TimeoutError') throw error;
         kill();
-        throw new Error(`WebKit: ${method} ${path}: no answer within ${HANGS / 1000} s; the browser was ended`);
+        throw new Error(`WebKit: ${method} ${path}: no answer within ${TIMEOUT / 1000} s; the browser was ended`);
       });
       const { value } = (await answer.json()) as { value: unknown };
       if (!answer.ok) {
@@ -178,7 +178,7 @@ async function begin(machine: Machine): Promise<Session> {
   const { sessionId } = (await machine.call('POST', '/session', {
     capabilities: {
       alwaysMatch: {
-        timeouts: { script: HANGS, pageLoad: 60_000, implicit: 0 },
+        timeouts: { script: TIMEOUT, pageLoad: 60_000, implicit: 0 },
         'webkitgtk:browserOptions': { binary: program('PLAYGROUND_MINIBROWSER'), args: ['--automation'] },
       },
     },
