@@ -13,7 +13,7 @@ const ID = 's000-o0002';
 interface Outcome {
   readonly motions?: number;
   readonly strokes?: number;
-  readonly says?: string;
+  readonly message?: string;
   readonly after: number;
 }
 
@@ -40,11 +40,11 @@ element.addEventListener('gcode-settled', () => {
 });
 const look = setInterval(() => {
   const notice = element.shadowRoot?.querySelector('[part~=notice]');
-  if (notice !== null && notice !== undefined && notice.textContent !== '' && !notice.hidden) send({ says: notice.textContent });
+  if (notice !== null && notice !== undefined && notice.textContent !== '' && !notice.hidden) send({ message: notice.textContent });
   if (isSent) clearInterval(look);
 }, 20);
 setTimeout(() => {
-  if (!customElements.get('gcode-playground')) send({ says: 'not defined: ' + element.innerText });
+  if (!customElements.get('gcode-playground')) send({ message: 'not defined: ' + element.innerText });
 }, 4000);
 `;
 
@@ -61,7 +61,7 @@ interface Way {
   policy?(own: string, other: string): string;
   readonly missing?: RegExp;
   readonly framed?: boolean;
-  /** The page in the frame is the one of the folder, with the program in its URL. */
+  /** The frame shows the page of the folder, with the program in its URL. */
   readonly addressed?: boolean;
 }
 
@@ -277,11 +277,11 @@ for (const [name, way] of Object.entries(WAYS)) {
         expect(outcome.motions, text).toBe(motionCount(ID));
         expect(outcome.strokes, text).toBeGreaterThan(200);
       } else if (cell === 'message') {
-        expect(outcome.says, text).toMatch(/could not be (loaded|started)/);
+        expect(outcome.message, text).toMatch(/could not be (loaded|started)/);
         expect(outcome.after, text).toBeLessThan(1_500);
       } else if (cell === 'program') {
-        expect(outcome.says, text).toContain('not defined');
-        expect(outcome.says, text).toContain('O0002');
+        expect(outcome.message, text).toContain('not defined');
+        expect(outcome.message, text).toContain('O0002');
       } else throw new Error(`${name}, ${engine}: nothing is expected`);
       const files = asked.filter((path) => /\.(js|wasm)$/.test(path) && !path.endsWith('/reporter.js'));
       if (cell === 'shown')

@@ -16,22 +16,22 @@ const PARTS = 'Not all of the playground could be loaded';
 
 interface File {
   readonly pattern: RegExp;
-  readonly says: string;
+  readonly message: string;
   /** Status line while the file is missing. */
   readonly status: string | RegExp;
 }
 
 const FILES: Readonly<Record<string, File>> = {
-  'the core module': { pattern: /gcode_playground_bg-[\w-]+\.wasm$/, says: INTERPRETER, status: '—' },
-  'the script of the worker': { pattern: /\/worker-[\w-]{8}\.js$/, says: INTERPRETER, status: '—' },
-  'the part that reads the setup': { pattern: /\/early-[\w-]{8}\.wasm$/, says: PARTS, status: '—' },
+  'the core module': { pattern: /gcode_playground_bg-[\w-]+\.wasm$/, message: INTERPRETER, status: '—' },
+  'the script of the worker': { pattern: /\/worker-[\w-]{8}\.js$/, message: INTERPRETER, status: '—' },
+  'the part that reads the setup': { pattern: /\/early-[\w-]{8}\.wasm$/, message: PARTS, status: '—' },
   'the part of the machine': {
     pattern: /\/late-[\w-]{8}\.wasm$/,
-    says: PARTS,
+    message: PARTS,
     status: /part and messages could not be loaded/,
   },
-  'the sentences': { pattern: /\/en-[\w-]{8}\.txt$/, says: PARTS, status: /part and messages could not be loaded/ },
-  'the editor': { pattern: editorFile(), says: 'The editor could not be loaded', status: /^2 motions/ },
+  'the sentences': { pattern: /\/en-[\w-]{8}\.txt$/, message: PARTS, status: /part and messages could not be loaded/ },
+  'the editor': { pattern: editorFile(), message: 'The editor could not be loaded', status: /^2 motions/ },
 };
 
 /** The file of the editor; another file has a similar name. */
@@ -54,7 +54,7 @@ function codeMirror(): RegExp {
 const status = (page: Page) => page.locator('gcode-playground').getByRole('status');
 const readAs = (page: Page) => page.getByRole('group', { name: 'How the program was read' });
 const oldPicture = (page: Page) => page.getByText('Old picture: the current program could not be run');
-const notice = (page: Page, says: string) => page.getByRole('alert').filter({ hasText: says });
+const notice = (page: Page, message: string) => page.getByRole('alert').filter({ hasText: message });
 const online = (page: Page) => page.evaluate(() => void dispatchEvent(new Event('online')));
 
 /** Everything works, and no message says otherwise. */
@@ -68,19 +68,19 @@ async function works(page: Page, motions: number): Promise<void> {
 }
 
 /** The notice is shown, and no message says that the file is loading. */
-async function fails(page: Page, { says, status: statusText }: File): Promise<void> {
-  await expect(notice(page, says)).toBeVisible();
-  await expect(notice(page, says).getByRole('button', { name: 'Try again' })).toBeVisible();
+async function fails(page: Page, { message, status: statusText }: File): Promise<void> {
+  await expect(notice(page, message)).toBeVisible();
+  await expect(notice(page, message).getByRole('button', { name: 'Try again' })).toBeVisible();
   await expect(status(page)).toContainText(statusText);
   await expect(status(page)).not.toContainText('…');
   await expect(page.getByText('Reading …')).toHaveCount(0);
 }
 
 /** Actions that make the page retry. */
-const TRIGGERS: Readonly<Record<Refusal, (page: Page, says: string) => Promise<void>>> = {
+const TRIGGERS: Readonly<Record<Refusal, (page: Page, message: string) => Promise<void>>> = {
   missing: (page) => press(page),
   closed: (page) => online(page),
-  corrupted: (page, says) => notice(page, says).getByRole('button', { name: 'Try again' }).click(),
+  corrupted: (page, message) => notice(page, message).getByRole('button', { name: 'Try again' }).click(),
 };
 
 /** Types into the program, whether or not the editor is loaded. */
@@ -108,12 +108,12 @@ for (const [name, file] of Object.entries(FILES)) {
       for (const [by, trigger] of Object.entries(TRIGGERS)) {
         const refused = (): number => site.requested.filter((path) => file.pattern.test(`/${path}`)).length;
         const before = refused();
-        await trigger(page, file.says);
+        await trigger(page, file.message);
         await expect.poll(refused, `asked again after ${by}`).toBeGreaterThan(before);
         await fails(page, file);
       }
       site.refuse();
-      await TRIGGERS[how](page, file.says);
+      await TRIGGERS[how](page, file.message);
       await works(page, 2);
       await site.stop();
     });
@@ -137,14 +137,14 @@ for (const how of ['missing', 'closed', 'corrupted'] as const) {
     engine,
   }) => {
     const site = await storedSite();
-    const library = { pattern: codeMirror(), says: 'The editor could not be loaded', status: /^2 motions/ };
+    const library = { pattern: codeMirror(), message: 'The editor could not be loaded', status: /^2 motions/ };
     site.refuse(library.pattern, how);
     await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
-    await expect(notice(page, library.says)).toBeVisible();
+    await expect(notice(page, library.message)).toBeVisible();
     site.refuse();
     // Browsers cache the failure of a file imported by another file: all of them for a script with a syntax error,
     // Firefox for every failure.
-    await TRIGGERS[how](page, library.says);
+    await TRIGGERS[how](page, library.message);
     if (how === 'corrupted' || engine === 'firefox')
       await notice(page, 'the page has to be reloaded').getByRole('button', { name: 'Reload' }).click();
     await works(page, 2);
@@ -244,10 +244,10 @@ for (const [name, { program, motions }] of Object.entries(LATER)) {
       site.refuse(pattern, how);
       // A program that does not need it is drawn.
       await page.goto(`${site.address}#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
-      await fails(page, { pattern, says: PARTS, status: /^2 motions .* part and messages could not be loaded/ });
+      await fails(page, { pattern, message: PARTS, status: /^2 motions .* part and messages could not be loaded/ });
       await expect(editor(page)).toBeVisible();
       await type(page, program);
-      const file = { pattern, says: PARTS, status: '—' };
+      const file = { pattern, message: PARTS, status: '—' };
       await fails(page, file);
       await expect(oldPicture(page)).toBeVisible();
       await press(page);

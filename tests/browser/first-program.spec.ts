@@ -12,7 +12,7 @@ test('types O0002, reads its strokes, breaks a line, selects a block from the pi
   await expect(status(page)).toContainText(/^42 motions/);
   await expect(status(page)).toContainText('no problems');
 
-  // Strokes of several blocks overlap here: the tooltip names the one that ends nearest to the pointer.
+  // Strokes of several blocks overlap here: the tooltip names the stroke that ends nearest to the pointer.
   await test.step('the rapid of line 7 ends at X80', async () => {
     const place = await between(page, { x: 90, z: 3 }, { x: 80, z: 3 });
     await page.mouse.move(place.x, place.y);

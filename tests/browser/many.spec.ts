@@ -131,9 +131,9 @@ test('pictures far from the viewport are stored small, and are complete again af
   expect(await shown(page, 0)).toBe(picture);
 });
 
-for (const { fault, does, says } of [
-  { fault: 'hangs', does: 'for (;;);', says: 'The run took too long' },
-  { fault: 'fails', does: "throw new Error('a fault');", says: 'The interpreter failed' },
+for (const { fault, does, message } of [
+  { fault: 'hangs', does: 'for (;;);', message: 'The run took too long' },
+  { fault: 'fails', does: "throw new Error('a fault');", message: 'The interpreter failed' },
 ]) {
   test(`a program that ${fault} does not affect the pictures of other elements`, {
     tag: fault === 'hangs' ? '@night' : [],
@@ -142,7 +142,7 @@ for (const { fault, does, says } of [
     await openMany(page, 3);
     const before = await shown(page, 0);
     await put(page, 1, 'G00 X50 Z2 (FAULT)\n');
-    const notice = page.locator('gcode-playground').nth(1).getByText(says);
+    const notice = page.locator('gcode-playground').nth(1).getByText(message);
     await expect(notice).toBeVisible({ timeout: WATCH_MS });
     const begun = Date.now();
     await settled(page, 0);
@@ -150,7 +150,7 @@ for (const { fault, does, says } of [
     expect(Date.now() - begun).toBeLessThan(2_000);
     expect(await shown(page, 0)).toBe(before);
     expect(await shown(page, 2)).toBe(before);
-    await expect(page.locator('gcode-playground').nth(0).getByText(says)).toHaveCount(0);
+    await expect(page.locator('gcode-playground').nth(0).getByText(message)).toHaveCount(0);
     // The failed element continues separately from the others, with its next program.
     await put(page, 1, PROGRAM);
     await settled(page, 1);

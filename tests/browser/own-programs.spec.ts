@@ -11,7 +11,7 @@ const BUSH = 'O0012 (BUSH)\nG00 X42 Z2\nG01 Z-10 F0.2\nG00 X60\nM30\n';
 const EXAMPLE = 's000-o0002';
 
 const button = (page: BasicPage) => page.getByRole('button', { name: 'My programs…' }).first();
-const said = (page: BasicPage) => page.locator('#own-news');
+const notice = (page: BasicPage) => page.locator('#own-news');
 
 async function openList(page: BasicPage): Promise<void> {
   await button(page).click();
@@ -177,13 +177,13 @@ test('all programs are saved to one file, and imported without overwriting any',
   const saved = await saving;
   expect(saved.suggestedFilename()).toMatch(/^gcode-programs-\d{4}-\d\d-\d\d\.json$/);
   const file = readFileSync(await saved.path());
-  const said = JSON.parse(file.toString()) as {
+  const exported = JSON.parse(file.toString()) as {
     format: string;
     version: number;
     programs: { name: string; program: { text: string } }[];
   };
-  expect([said.format, said.version]).toEqual(['gcode-playground programs', 1]);
-  expect(said.programs.map((each) => each.program.text).sort()).toEqual([SHAFT, BUSH].sort());
+  expect([exported.format, exported.version]).toEqual(['gcode-playground programs', 1]);
+  expect(exported.programs.map((each) => each.program.text).sort()).toEqual([SHAFT, BUSH].sort());
 
   const take = (text: string | Buffer) =>
     list(page)
@@ -326,7 +326,7 @@ test('changes of another tab are not overwritten when the page of the program is
   // A browser without the cached page loads it again.
   const isRestored = (await page.evaluate(() => document.documentElement.dataset['before'])) === 'yes';
   if (engine === 'webkit') expect(isRestored).toBe(true);
-  if (isRestored) await expect(said(page)).toContainText('in another tab');
+  if (isRestored) await expect(notice(page)).toContainText('in another tab');
   await typeAtEnd(page, '(C)');
   await kept(page);
   await openList(page);
@@ -407,7 +407,7 @@ test('a full list reports that it stores no more, and the text stays in the edit
   await expect(list(page).getByRole('status')).toHaveText('The list is full: delete programs that you no longer need.');
   await close(page);
   await type(page, SHAFT);
-  await expect(said(page)).toContainText('The list of your programs is full: this program is not in it.');
+  await expect(notice(page)).toContainText('The list of your programs is full: this program is not in it.');
   await page.reload();
   await expect.poll(() => value(page)).toBe(SHAFT);
   await test.step('storing resumes when there is room', async () => {
@@ -416,7 +416,7 @@ test('a full list reports that it stores no more, and the text stays in the edit
     await act(page, 'Part 777', 'Delete');
     await close(page);
     await typeAtEnd(page, 'G4 X1');
-    await expect(said(page)).toBeHidden();
+    await expect(notice(page)).toBeHidden();
     await openList(page);
     await list(page).getByRole('searchbox').fill('O0011');
     await expect(items(page).nth(0)).toContainText('O0011 SHAFT');
@@ -440,15 +440,15 @@ test('a change of the same program in another tab is reported, and shown on requ
   const second = await secondTab(page);
   await expect.poll(() => value(second)).toBe(SHAFT);
   await addInHiddenTab(second, '(of the second tab)');
-  await expect(said(page)).toContainText('This program was changed in another tab.');
+  await expect(notice(page)).toContainText('This program was changed in another tab.');
   const theirs = await value(second);
   expect(theirs).toContain('(of the second tab)');
-  await press(said(page).getByRole('button', { name: 'Show the other text' }));
+  await press(notice(page).getByRole('button', { name: 'Show the other text' }));
   await expect.poll(() => value(page)).toBe(theirs);
-  await expect(said(page)).toBeHidden();
+  await expect(notice(page)).toBeHidden();
   await test.step('both tabs continue with one program', async () => {
     await addInHiddenTab(page, '(of the first)');
-    await expect(said(second)).toContainText('This program was changed in another tab.');
+    await expect(notice(second)).toContainText('This program was changed in another tab.');
     await openListInHiddenTab(page);
     await expect(items(page)).toHaveCount(1);
   });
@@ -460,9 +460,9 @@ test('two tabs that change the same program keep both texts', async ({ page }) =
   await kept(page);
   const second = await secondTab(page);
   await addInHiddenTab(second, '(of the second tab)');
-  await expect(said(page)).toContainText('This program was changed in another tab.');
+  await expect(notice(page)).toContainText('This program was changed in another tab.');
   await addInHiddenTab(page, '(of the first)');
-  await expect(said(page)).toContainText('Both are kept: this one is now “O0011 SHAFT (2)”.');
+  await expect(notice(page)).toContainText('Both are kept: this one is now “O0011 SHAFT (2)”.');
   const mine = await value(page);
   await openListInHiddenTab(page);
   await expect(items(page)).toHaveCount(2);
@@ -472,8 +472,8 @@ test('two tabs that change the same program keep both texts', async ({ page }) =
   await expect.poll(() => value(page)).toContain('(of the second tab)');
   await test.step('both texts are kept immediately on request', async () => {
     await addInHiddenTab(second, '(more)');
-    await press(said(page).getByRole('button', { name: 'Keep both' }));
-    await expect(said(page)).toContainText('Both are kept');
+    await press(notice(page).getByRole('button', { name: 'Keep both' }));
+    await expect(notice(page)).toContainText('Both are kept');
     await openListInHiddenTab(page);
     await expect(items(page)).toHaveCount(3);
   });
@@ -482,7 +482,7 @@ test('two tabs that change the same program keep both texts', async ({ page }) =
     await openListInHiddenTab(second);
     await press(list(second).getByRole('button', { name: 'What can be done with O0011 SHAFT (3)', exact: true }));
     await press(list(second).getByRole('button', { name: 'Delete', exact: true }));
-    await expect(said(page)).toContainText('This program was deleted in another tab.');
+    await expect(notice(page)).toContainText('This program was deleted in another tab.');
     expect(await value(page)).toContain('(of the second tab)');
   });
 });
@@ -518,14 +518,14 @@ test('a full storage is reported, the text stays, and is stored once there is ro
   await open(page);
   await setRefusal(page, 'QuotaExceededError');
   await type(page, SHAFT);
-  await expect(said(page)).toContainText('The browser has no room left: the last changes are not kept.');
+  await expect(notice(page)).toContainText('The browser has no room left: the last changes are not kept.');
   expect(await value(page)).toBe(SHAFT);
   const saving = page.waitForEvent('download');
-  await said(page).getByRole('button', { name: 'Save file' }).click();
+  await notice(page).getByRole('button', { name: 'Save file' }).click();
   expect(readFileSync(await (await saving).path(), 'utf8')).toBe(SHAFT);
   await setRefusal(page, '');
   // Without another key press.
-  await expect(said(page)).toBeHidden();
+  await expect(notice(page)).toBeHidden();
   await openList(page);
   await expect(items(page)).toHaveCount(1);
 });
@@ -537,12 +537,12 @@ test('a browser that forbids the database stores the last program, or reports th
   await open(page);
   await setRefusal(page, 'NotAllowedError');
   await type(page, SHAFT);
-  await expect(said(page)).toContainText('only the last program will be here next time');
+  await expect(notice(page)).toContainText('only the last program will be here next time');
   await setRefusal(page, 'SecurityError');
   await typeAtEnd(page, 'G4 X1');
-  await expect(said(page)).toContainText('The browser does not keep programs for this page');
+  await expect(notice(page)).toContainText('The browser does not keep programs for this page');
   expect(await value(page)).toBe(`${SHAFT}G4 X1`);
-  await expect(said(page).getByRole('button', { name: 'Save file' })).toBeVisible();
+  await expect(notice(page).getByRole('button', { name: 'Save file' })).toBeVisible();
 });
 
 test('deleting the database while the page is open is reported, and the text is stored again', async ({ page }) => {
@@ -559,7 +559,7 @@ test('deleting the database while the page is open is reported, and the text is 
       });
     }
   });
-  await expect(said(page)).toContainText('What the browser had kept for this page was deleted.');
+  await expect(notice(page)).toContainText('What the browser had kept for this page was deleted.');
   await openList(page);
   await expect(items(page)).toHaveCount(1);
   await close(page);

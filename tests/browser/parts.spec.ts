@@ -21,7 +21,7 @@ async function late(route: Route): Promise<void> {
 
 interface Watched {
   /** Successive texts of the status line. */
-  readonly said: string[];
+  readonly statusTexts: string[];
   /** Number of problems in the panel at each of them. */
   readonly listed: number[];
   /** Size of the canvas and a hash of its pixels, for each change. */
@@ -31,16 +31,16 @@ interface Watched {
 /** Records the page from its start until everything is loaded. */
 async function watched(page: ChromiumPage): Promise<Watched> {
   await page.addInitScript(() => {
-    const seen = { said: [] as string[], listed: [] as number[], pictures: [] as string[] };
+    const seen = { statusTexts: [] as string[], listed: [] as number[], pictures: [] as string[] };
     Object.assign(window, { seen });
     const add = <T>(list: T[], value: T): void => {
       if (list.at(-1) !== value) list.push(value);
     };
     const look = (): void => {
       const root = document.querySelector('gcode-playground')?.shadowRoot;
-      const said = root?.querySelector('[role=status]')?.textContent;
-      if (root !== null && root !== undefined && said !== null && said !== undefined) {
-        add(seen.said, said);
+      const statusText = root?.querySelector('[role=status]')?.textContent;
+      if (root !== null && root !== undefined && statusText !== null && statusText !== undefined) {
+        add(seen.statusTexts, statusText);
         const list = root.querySelector('[part=problems]');
         add(seen.listed, list === null || (list as HTMLElement).hidden ? 0 : list.querySelectorAll('li').length);
         const canvas = root.querySelector('canvas');
@@ -72,20 +72,20 @@ async function settled(page: ChromiumPage): Promise<void> {
 }
 
 test('without delays the page ends in the same state', async ({ page }) => {
-  const { said } = await watched(page);
-  expect(said.at(-1)).toMatch(/^\d+ motions · \d+ lines · no problems/);
+  const { statusTexts } = await watched(page);
+  expect(statusTexts.at(-1)).toMatch(/^\d+ motions · \d+ lines · no problems/);
 });
 
 for (const part of ['late', 'en']) {
   test(`${part} arrives three seconds late: the path is drawn, and no wrong state is shown`, async ({ page }) => {
     const atOnce = await watched(page);
     await route(page, part, late);
-    const { said, listed, pictures } = await watched(page);
+    const { statusTexts, listed, pictures } = await watched(page);
     // Loading, the path, then everything; sizes of the layout may change in between.
-    expect(said.filter((line) => !line.startsWith('Part …'))).toEqual([
+    expect(statusTexts.filter((line) => !line.startsWith('Part …'))).toEqual([
       'Loading …',
       expect.stringMatching(LOADING),
-      atOnce.said.at(-1),
+      atOnce.statusTexts.at(-1),
     ]);
     expect(listed).toEqual(atOnce.listed.at(-1) === 0 ? [0] : [0, atOnce.listed.at(-1)]);
     expect(pictures.at(-1)).toBeDefined();
@@ -103,10 +103,10 @@ for (const part of ['early', 'early-late']) {
   }) => {
     const atOnce = await watched(page);
     await route(page, part, late);
-    const { said, listed, pictures } = await watched(page);
-    expect(said.filter((line) => !line.startsWith('Part …') && !LOADING.test(line))).toEqual([
+    const { statusTexts, listed, pictures } = await watched(page);
+    expect(statusTexts.filter((line) => !line.startsWith('Part …') && !LOADING.test(line))).toEqual([
       'Loading …',
-      atOnce.said.at(-1),
+      atOnce.statusTexts.at(-1),
     ]);
     expect(listed).toEqual(atOnce.listed.at(-1) === 0 ? [0] : [0, atOnce.listed.at(-1)]);
     expect(pictures.at(-1)).toBe(atOnce.pictures.at(-1));
@@ -211,18 +211,21 @@ test('a part that fails to load is reported, the rest works, and it can be retri
 });
 
 const ONLY_SOME_NEED = {
-  'a program with macros': { program: 'G00 X50 Z2\n#1=40\nG01 X#1 Z-20 F0.2\nM30', says: '2 motions' },
+  'a program with macros': { program: 'G00 X50 Z2\n#1=40\nG01 X#1 Z-20 F0.2\nM30', statusText: '2 motions' },
   // The nose radius is set in the program, so that no setup is read.
   'a compensated program': {
     program: 'G10 P1 X0 Z0 R0.8 Q3\nT0101\nG00 X50 Z2\nG42 G00 X40 Z1\nG01 Z-20 F0.2\nX46\nG40 G00 X50 Z2\nM30',
-    says: '5 motions',
+    statusText: '5 motions',
   },
-  'a program with a rounding': { program: 'G00 X40 Z2\nG01 Z-20 R2 F0.2\nX50\nM30', says: '4 motions' },
-  'a misread program': { program: 'G00 X5O Z2\nG01 Z-20 F0.2\nM30', says: '1 motion' },
-  'a program for another control': { program: 'G95 DIAMON\nT1 D1\nG0 X40 Z2\nG1 Z-20 F0.2\nM30', says: '0 motions' },
+  'a program with a rounding': { program: 'G00 X40 Z2\nG01 Z-20 R2 F0.2\nX50\nM30', statusText: '4 motions' },
+  'a misread program': { program: 'G00 X5O Z2\nG01 Z-20 F0.2\nM30', statusText: '1 motion' },
+  'a program for another control': {
+    program: 'G95 DIAMON\nT1 D1\nG0 X40 Z2\nG1 Z-20 F0.2\nM30',
+    statusText: '0 motions',
+  },
 };
 
-for (const [name, { program, says }] of Object.entries(ONLY_SOME_NEED)) {
+for (const [name, { program, statusText }] of Object.entries(ONLY_SOME_NEED)) {
   test(`${name} is drawn once the part that reads it is loaded, and not before`, async ({ page }) => {
     await route(page, 'early', late);
     await page.goto(`./#${new URLSearchParams({ program, setup: '{}' })}`);
@@ -232,8 +235,9 @@ for (const [name, { program, says }] of Object.entries(ONLY_SOME_NEED)) {
     await page.waitForTimeout(LATE_MS / 2);
     await expect(page.getByRole('status')).toHaveText('Loading …');
     expect((await canvas.screenshot()).equals(before)).toBe(true);
-    await expect(page.getByRole('status')).toContainText(says);
-    if (!says.startsWith('0')) await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
+    await expect(page.getByRole('status')).toContainText(statusText);
+    if (!statusText.startsWith('0'))
+      await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
   });
 }
 

@@ -24,7 +24,7 @@ function longProgram(): string {
   ].join('\n');
 }
 
-/** Counts frames of the page and of the worker's canvas, and the longest tasks (ms), during `seconds`. */
+/** Counts frames of the page and of the worker's canvas, and the longest tasks (ms), within `ms`. */
 async function count(
   page: ChromiumPage,
   ms: number,

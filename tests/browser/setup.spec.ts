@@ -60,13 +60,13 @@ test('an assumed stock can be accepted, and collisions are checked', async ({ pa
   const crash = PROGRAM.replace('G0 X100 Z100', 'G0 X42 Z-23\nG0 X100 Z100');
   await open(page);
   await openFile(page, 'own.nc', Buffer.from(crash));
-  const told = page.getByText('Stock assumed: collisions not checked');
+  const assumedNotice = page.getByText('Stock assumed: collisions not checked');
   const use = page.getByRole('button', { name: 'use this stock' });
-  await expect(told).toBeVisible();
+  await expect(assumedNotice).toBeVisible();
   await expect(problems(page).getByText(/rapid/i)).toHaveCount(0);
   await use.focus();
   await page.keyboard.press('Enter');
-  await expect(told).toBeHidden();
+  await expect(assumedNotice).toBeHidden();
   await expect(problems(page).getByText(/rapid/i)).not.toHaveCount(0);
   await expect(page.getByRole('button', { name: 'Setup', exact: true })).toBeFocused();
   await expect(page.getByText('The setup is kept on this page')).toBeVisible();
@@ -75,10 +75,10 @@ test('an assumed stock can be accepted, and collisions are checked', async ({ pa
 
   await test.step('a setup in the program is changed in the program', async () => {
     await openFile(page, 'other.nc', Buffer.from(`(MACHINE RAPIDX=8000)\n${PROGRAM}`));
-    await expect(told).toBeVisible();
+    await expect(assumedNotice).toBeVisible();
     await use.click();
     await expect.poll(() => value(page)).toBe(`(STOCK D=44 LENGTH=25)\n(MACHINE RAPIDX=8000)\n${PROGRAM}`);
-    await expect(told).toBeHidden();
+    await expect(assumedNotice).toBeHidden();
   });
 });
 
@@ -184,7 +184,7 @@ test('a tool can be added', async ({ page }) => {
 test('invalid values are reported at their fields', async ({ page }) => {
   await begin(page);
   await openForm(page);
-  for (const [name, text, told] of [
+  for (const [name, text, message] of [
     ['Diameter', '-60', 'Must be greater than zero'],
     ['Diameter', 'NaN', 'Not a number'],
     ['Diameter', '1e999', 'Not a number'],
@@ -193,7 +193,7 @@ test('invalid values are reported at their fields', async ({ page }) => {
     await field(page, 'Stock', 'Diameter').fill('');
     await field(page, 'Stock', name).fill(text);
     await expect(field(page, 'Stock', name)).toHaveAttribute('aria-invalid', 'true');
-    await expect(form(page).getByText(told)).toBeVisible();
+    await expect(form(page).getByText(message)).toBeVisible();
     await form(page).getByRole('button', { name: 'Apply' }).click();
     await expect(form(page)).toBeVisible();
     await expect(field(page, 'Stock', name)).toBeFocused();
@@ -202,7 +202,7 @@ test('invalid values are reported at their fields', async ({ page }) => {
   await expectPart(page);
 });
 
-for (const [what, setup, told] of [
+for (const [what, setup, message] of [
   ['negative stock', '{"stock": {"diameter": -60, "length": 80}}', /stock.diameter.* is -60/],
   ['a bore larger than the stock', '{"stock": {"diameter": 60, "length": 80, "bore": 70}}', /stock.bore.* is 70/],
   ['NaN', '{"stock": {"diameter": NaN, "length": 80}}', /The setup was not accepted/],
@@ -212,14 +212,14 @@ for (const [what, setup, told] of [
   test(`in the attribute: ${what}`, async ({ page }) => {
     await begin(page);
     await page.locator('gcode-playground').evaluate((element, json) => element.setAttribute('setup', json), setup);
-    const rejected = page.getByRole('alert').filter({ hasText: told });
-    await expect(rejected.or(problems(page).getByText(told)).first()).toBeVisible();
+    const rejected = page.getByRole('alert').filter({ hasText: message });
+    await expect(rejected.or(problems(page).getByText(message)).first()).toBeVisible();
     await expectPart(page);
     await openForm(page);
   });
 }
 
-for (const [what, note, told] of [
+for (const [what, note, message] of [
   ['negative stock', '(STOCK D=-60 LENGTH=80)', /stock.diameter.* is -60/],
   ['a bore larger than the stock', '(STOCK D=60 BORE=70 LENGTH=80)', /stock.bore.* is 70/],
   ['NaN', '(STOCK D=NaN LENGTH=80)', /D=NaN/],
@@ -228,7 +228,7 @@ for (const [what, note, told] of [
 ] as const) {
   test(`in comments: ${what}`, async ({ page }) => {
     await begin(page, `${note}\n${PROGRAM}`);
-    await expect(problems(page).getByText(told).first()).toBeVisible();
+    await expect(problems(page).getByText(message).first()).toBeVisible();
     await expectPart(page);
     await openForm(page);
   });
@@ -272,7 +272,7 @@ test('computing the part of a long program shows progress, and can be stopped', 
     (_, i) => `G1 X${(60 - i / 1000 - (i % 2) * 0.1).toFixed(3)} Z${(-(i % 300) / 3).toFixed(3)} F0.2`,
   );
   // A fast machine may finish before a polling test presses the button, so a script in the page presses it.
-  const told = page.locator('gcode-playground').evaluate(
+  const progressText = page.locator('gcode-playground').evaluate(
     (element) =>
       new Promise<string>((done) => {
         const look = (): void => {
@@ -292,7 +292,7 @@ test('computing the part of a long program shows progress, and can be stopped', 
       }),
   );
   await openFile(page, 'long.nc', Buffer.from(`T0101 S800 M3\nG0 X62 Z2\n${passes.join('\n')}\nM30\n`));
-  expect(await told).toContain('Part');
+  expect(await progressText).toContain('Part');
   await expect(problems(page).getByText(/The material removal was stopped after \d+ of 15001 motions/)).toBeVisible();
   await expect(page.getByRole('button', { name: 'Stop', exact: true })).toBeHidden();
 });

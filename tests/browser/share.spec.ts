@@ -200,10 +200,10 @@ test('every stored link opens in the page', async ({ page }) => {
   await open(page);
   for (const { what, link, opens } of storedLinks()) {
     await go(page, link);
-    const { task: _, name, ...said } = opens;
+    const { task: _, name, ...rest } = opens;
     await expect
       .poll(() => state(page), what)
-      .toMatchObject({ setup: null, view: 'all', step: null, readonly: false, ...said });
+      .toMatchObject({ setup: null, view: 'all', step: null, readonly: false, ...rest });
     if (typeof name === 'string')
       await expect.poll(() => page.locator('#link-bar').textContent(), what).toContain(name);
   }
@@ -409,7 +409,7 @@ test('a teacher gives a class a task by link, and receives links to the answers'
     await page.goto('about:blank');
     await open(page, task.slice(task.indexOf('#')));
     await expect.poll(() => value(page)).toBe(work);
-    // The URL in the browser is still the task; the link to hand in is the one of the bar.
+    // The URL in the browser is still the task; the link to hand in is in the bar.
     expect(await page.evaluate(() => location.href)).toBe(task);
     const name = `Anna ${returned.length + 1}`;
     await page.getByRole('textbox', { name: 'Your name' }).fill(name);

@@ -237,7 +237,7 @@ test('the element in another page stores nothing', async ({ page }) => {
   await site.stop();
 });
 
-for (const [locale, colorScheme, said, wanted] of [
+for (const [locale, colorScheme, message, wanted] of [
   ['en', 'light', 'Works offline', 'Reload'],
   ['zh', 'dark', '可离线使用', '重新加载'],
   ['ru', 'light', 'Работает без сети', 'Обновить'],
@@ -251,7 +251,7 @@ for (const [locale, colorScheme, said, wanted] of [
     await visit(page, site.address);
     const settings = page.locator('#settings-toggle');
     await settings.click();
-    await expect(page.getByText(said, { exact: true })).toBeVisible({ timeout: 60_000 });
+    await expect(page.getByText(message, { exact: true })).toBeVisible({ timeout: 60_000 });
     site.publish(nextBuild());
     await page.reload();
     const reload = page.getByRole('button', { name: wanted, exact: true });

@@ -79,7 +79,7 @@ test('switches are shown for the block-skip levels and programs of the text, and
     await expect(chosen(page)).toHaveCount(0);
   });
 
-  await test.step('another program starts with the default switches', async () => {
+  await test.step('another program starts with the switches unset', async () => {
     await page.getByRole('button', { name: 'Open the first example' }).click();
     expect(await setup()).not.toHaveProperty('blockSkip');
     expect(await setup()).not.toHaveProperty('program');

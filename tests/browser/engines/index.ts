@@ -49,7 +49,7 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
   ],
   browser: [
     async ({ engine, playwright, launchOptions }, use) => {
-      // Engines that Playwright does not drive use no browser of Playwright.
+      // Only Chromium runs in a browser that Playwright starts.
       const browser = engine === 'chromium' ? await playwright.chromium.launch(launchOptions) : undefined;
       await use(browser as never);
       await browser?.close();

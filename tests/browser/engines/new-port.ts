@@ -1,4 +1,4 @@
-// Opens a server on a port, and thereby an origin, that no earlier test of this worker has used. The system reuses
+// Opens a server on a port, and so an origin, that no earlier test of this worker has used. The system reuses
 // ports after some hundred others, and the shared browser still has the storage of earlier tests.
 import type { Server } from 'node:http';
 import type { AddressInfo } from 'node:net';

@@ -73,8 +73,8 @@ export async function webkit(viewport: { width: number; height: number }, server
       });
       const { value } = (await answer.json()) as { value: unknown };
       if (!answer.ok) {
-        const told = `WebKit: ${method} ${path}: ${JSON.stringify(value)}`;
-        throw told.includes('before the unload event') ? new DocumentLeft(told) : new Error(told);
+        const message = `WebKit: ${method} ${path}: ${JSON.stringify(value)}`;
+        throw message.includes('before the unload event') ? new DocumentLeft(message) : new Error(message);
       }
       return value;
     };
@@ -130,13 +130,13 @@ async function ended(child: ChildProcess): Promise<void> {
 /** Display number that Xvfb chose: the first free one. */
 async function displayOf(xvfb: ChildProcess): Promise<string> {
   return new Promise((resolve, reject) => {
-    let told = '';
+    let output = '';
     const late = setTimeout(() => reject(new Error(`Xvfb named no display within ${STARTS / 1000} s`)), STARTS);
     xvfb.stdio[3]!.on('data', (data: Buffer) => {
-      told += String(data);
-      if (!told.endsWith('\n')) return;
+      output += String(data);
+      if (!output.endsWith('\n')) return;
       clearTimeout(late);
-      resolve(told.trim());
+      resolve(output.trim());
     });
     xvfb.once('error', reject);
     xvfb.once('exit', (code) => reject(new Error(`Xvfb ended (${code}) before it named its display`)));
@@ -169,7 +169,7 @@ async function listening({ call }: Machine, driver: ChildProcess): Promise<void>
 interface Session {
   readonly path: string;
   readonly window: string;
-  /** The known windows, and the one that receives commands. */
+  /** Handles of the known windows, and of the current one. */
   readonly windows: Set<string>;
   current: string;
 }

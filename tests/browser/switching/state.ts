@@ -1,6 +1,6 @@
 // States of the switching test, and random steps between them.
 //
-// In: a seed. Out: states as plain values, to which a fresh page can be brought, and the actions on the way. Must not
+// In: a seed. Out: states as plain values, to which a fresh page can be brought, and the actions between them. Must not
 // know: the page.
 
 /** A state of the page, from which everything visible follows. */
