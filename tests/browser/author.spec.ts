@@ -204,7 +204,7 @@ test('fit selects whether the picture shows the part or the whole path', async (
   expect(await size()).toBeGreaterThanOrEqual(usual);
 });
 
-test('turret and caption', async ({ page }) => {
+test('turret sets the side of the tool, and caption names the picture', async ({ page }) => {
   await show(page, 'view="picture" turret="front" caption="Figure 3: a shoulder"');
   const down = (): Promise<boolean> =>
     page.evaluate(async () => {

@@ -10,7 +10,7 @@ async function stillWorks(page: Page): Promise<void> {
   await expect(status(page)).toContainText(/^2 motions/, { timeout: 15_000 });
 }
 
-test('an empty text', async ({ page }) => {
+test('the page handles an empty text', async ({ page }) => {
   await open(page);
   await type(page, '');
   await expect(status(page)).toContainText(/^0 motions/);
@@ -18,7 +18,7 @@ test('an empty text', async ({ page }) => {
   await stillWorks(page);
 });
 
-test('nothing but an opening parenthesis', async ({ page }) => {
+test('the page handles a single opening parenthesis', async ({ page }) => {
   await open(page);
   await type(page, '(');
   await expect(status(page)).toContainText('1 problem');
@@ -27,7 +27,7 @@ test('nothing but an opening parenthesis', async ({ page }) => {
 });
 
 for (const byte of ['X', '(', '0', '\n', '%']) {
-  test(`5 MB of ${JSON.stringify(byte)}`, async ({ page }) => {
+  test(`the page handles 5 MB of ${JSON.stringify(byte)}`, async ({ page }) => {
     await open(page);
     await openFile(page, 'same.nc', new Uint8Array(FIVE_MB).fill(byte.charCodeAt(0)));
     await expect(page.getByText('Opened same.nc')).toBeVisible();
@@ -36,7 +36,7 @@ for (const byte of ['X', '(', '0', '\n', '%']) {
   });
 }
 
-test('a binary file', async ({ page }) => {
+test('the page handles a binary file', async ({ page }) => {
   await open(page);
   const bytes = new Uint8Array(256 * 1024).map((_, i) => (i * 7919 + (i >> 8) * 31) & 0xff);
   await openFile(page, 'picture.png', bytes);

@@ -101,12 +101,15 @@ const WAYS: Readonly<Record<string, Way>> = {
   'the module is missing': { missing: /^core\.wasm$/ },
 };
 
-/** Possible targets of the link in a frame. `OWN` is the origin of the frame. */
-const LINKS: readonly { readonly said?: string; readonly named?: string; readonly href: string | null }[] = [
+/**
+ * Possible targets of the link in a frame. `OWN` is the origin of the frame, `fromUrl` the value in the URL of the
+ * frame, `fromPage` the value in a `meta` of its page.
+ */
+const LINKS: readonly { readonly fromUrl?: string; readonly fromPage?: string; readonly href: string | null }[] = [
   { href: 'OWN/embed/index.html' },
-  { said: '', href: null },
-  { said: '../play/', href: 'OWN/play/' },
-  { said: 'OWN/play/', href: 'OWN/play/' },
+  { fromUrl: '', href: null },
+  { fromUrl: '../play/', href: 'OWN/play/' },
+  { fromUrl: 'OWN/play/', href: 'OWN/play/' },
   ...[
     'https://evil.example/',
     '//evil.example/',
@@ -116,14 +119,18 @@ const LINKS: readonly { readonly said?: string; readonly named?: string; readonl
     'http://127.0.0.1:9/',
     'blob:OWN/play/',
     'https://[',
-  ].map((said) => ({ said, href: 'OWN/embed/index.html' })),
-  { named: 'https://lathe.example/play/', href: 'https://lathe.example/play/' },
-  { named: 'https://lathe.example/play/', said: 'https://lathe.example/other/', href: 'https://lathe.example/other/' },
-  { named: 'https://lathe.example/play/', said: 'OWN/play/', href: 'OWN/play/' },
-  { named: 'https://lathe.example/play/', said: 'https://evil.example/', href: 'https://lathe.example/play/' },
+  ].map((fromUrl) => ({ fromUrl, href: 'OWN/embed/index.html' })),
+  { fromPage: 'https://lathe.example/play/', href: 'https://lathe.example/play/' },
+  {
+    fromPage: 'https://lathe.example/play/',
+    fromUrl: 'https://lathe.example/other/',
+    href: 'https://lathe.example/other/',
+  },
+  { fromPage: 'https://lathe.example/play/', fromUrl: 'OWN/play/', href: 'OWN/play/' },
+  { fromPage: 'https://lathe.example/play/', fromUrl: 'https://evil.example/', href: 'https://lathe.example/play/' },
 ];
 
-/** The link appears after the picture, so wait for the picture first. */
+/** The link appears after the picture, so check for three seconds that there is none. */
 async function expectNone(leadsTo: () => Promise<string | null>): Promise<void> {
   for (let at = 0; at < 15; at++) {
     expect(await leadsTo()).toBe(null);
@@ -134,19 +141,19 @@ async function expectNone(leadsTo: () => Promise<string | null>): Promise<void> 
 test('"Open in the playground" of a frame leads to its own host, or to the page that its copy names', {
   tag: '@night',
 }, async ({ page }) => {
-  for (const { said, named, href } of LINKS) {
+  for (const { fromUrl, fromPage, href } of LINKS) {
     const own = await serve(FILES, (origin): Site => {
       const attributes = new URLSearchParams({
         program: 'G00 X1',
-        ...(said === undefined ? {} : { playground: said.replace('OWN', origin) }),
+        ...(fromUrl === undefined ? {} : { playground: fromUrl.replace('OWN', origin) }),
       });
       return {
         pages: {
           '/index.html': `<!DOCTYPE html><title>A manual</title><iframe src="/embed/copy.html#${String(attributes).replaceAll('+', '%20').replaceAll('&', '&amp;')}" width="900" height="600"></iframe>`,
           '/embed/copy.html':
-            named === undefined
+            fromPage === undefined
               ? FRAME_PAGE
-              : FRAME_PAGE.replace('<title>', `<meta name="playground" content="${named}"><title>`),
+              : FRAME_PAGE.replace('<title>', `<meta name="playground" content="${fromPage}"><title>`),
         },
         filesAt: '/embed/',
       };
@@ -161,11 +168,11 @@ test('"Open in the playground" of a frame leads to its own host, or to the page 
             ?.shadowRoot?.querySelector<HTMLAnchorElement>('[part=open-link]');
           return link == null || link.hidden ? null : link.href;
         });
-      if (href !== null) await expect.poll(leadsTo, `${said} ${named}`).toBe(href.replace('OWN', own.origin));
+      if (href !== null) await expect.poll(leadsTo, `${fromUrl} ${fromPage}`).toBe(href.replace('OWN', own.origin));
       else await expectNone(leadsTo);
       // Outside a frame there is no link, whatever the URL contains.
-      if (said !== 'https://evil.example/') continue;
-      await page.goto(`${own.origin}/embed/copy.html#program=G00%20X1&playground=${encodeURIComponent(said)}`);
+      if (fromUrl !== 'https://evil.example/') continue;
+      await page.goto(`${own.origin}/embed/copy.html#program=G00%20X1&playground=${encodeURIComponent(fromUrl)}`);
       await expectNone(leadsTo);
     } finally {
       await own.close();

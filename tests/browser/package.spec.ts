@@ -47,7 +47,7 @@ async function block(document: string, start: string): Promise<string> {
   return found;
 }
 
-test('it contains its listed files and metadata for TypeScript and editors, and no install scripts or dependencies', async () => {
+test('the package contains its listed files and metadata for TypeScript and editors, and no install scripts or dependencies', async () => {
   const folder = join(project, 'node_modules', 'gcode-playground');
   const { version, scripts, dependencies, customElements } = JSON.parse(
     await readFile(join(folder, 'package.json'), 'utf8'),
@@ -114,7 +114,7 @@ test('the list of attributes matches the element', async ({ page }) => {
   });
 });
 
-test('from Node', async () => {
+test('the examples of the documents run in Node', async () => {
   for (const document of [join(PACKAGE, 'README.md'), join(WWW, '..', 'README.md'), join(WWW, 'docs', 'library.md')]) {
     await writeFile(join(project, 'check.mjs'), await block(document, 'import { check'));
     const { stdout } = await run(process.execPath, ['check.mjs'], { cwd: project });
@@ -160,7 +160,7 @@ test('in Node, every program of the tests has the same output as on the command 
   expect(Number(/^(\d+) programs/.exec(stdout)?.[1])).toBeGreaterThan(50);
 });
 
-test('from TypeScript, in strict mode', async () => {
+test('the package works in TypeScript in strict mode', async () => {
   await writeFile(
     join(project, 'program.ts'),
     `
@@ -254,7 +254,7 @@ function motionsShown(page: ChromiumPage): Promise<number> {
   });
 }
 
-test('in a plain page, as in its README', async ({ page }) => {
+test('the element works in a plain page, as in its README', async ({ page }) => {
   const readme = await block(join(PACKAGE, 'README.md'), '<script type="module"');
   const site = await serve(join(project, 'node_modules', 'gcode-playground'), () => ({
     filesAt: '/gcode-playground/',
@@ -268,7 +268,7 @@ test('in a plain page, as in its README', async ({ page }) => {
   }
 });
 
-test('bundled by Vite, with `base: "./"`', async ({ page }) => {
+test('the element works bundled by Vite, with `base: "./"`', async ({ page }) => {
   test.setTimeout(120_000);
   await mkdir(join(project, 'site'), { recursive: true });
   await writeFile(
@@ -298,7 +298,7 @@ test('bundled by Vite, with `base: "./"`', async ({ page }) => {
   }
 });
 
-test("with Vite's development server, as in its README", async ({ page }) => {
+test("the element works with Vite's development server, as in its README", async ({ page }) => {
   test.setTimeout(120_000);
   const readme = await readFile(join(PACKAGE, 'README.md'), 'utf8');
   const setting = /`(optimizeDeps: [^`]+)`/.exec(readme)?.[1] ?? '';

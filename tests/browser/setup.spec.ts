@@ -209,7 +209,7 @@ for (const [what, setup, message] of [
   ['garbage', 'garbage', /The setup was not accepted/],
   ['a tool that is missing', '{"tools": {"T0202": {"type": "turning"}}}', /T0101/],
 ] as const) {
-  test(`in the attribute: ${what}`, async ({ page }) => {
+  test(`an invalid setup in the attribute is reported: ${what}`, async ({ page }) => {
     await begin(page);
     await page.locator('gcode-playground').evaluate((element, json) => element.setAttribute('setup', json), setup);
     const rejected = page.getByRole('alert').filter({ hasText: message });
@@ -226,7 +226,7 @@ for (const [what, note, message] of [
   ['garbage', '(STOCK D=60 LENGTH=80 HAMMER=1)', /HAMMER=1/],
   ['a tool that is missing', '(TOOL T0202 TYPE=TURNING)', /T0101/],
 ] as const) {
-  test(`in comments: ${what}`, async ({ page }) => {
+  test(`an invalid setup in comments is reported: ${what}`, async ({ page }) => {
     await begin(page, `${note}\n${PROGRAM}`);
     await expect(problems(page).getByText(message).first()).toBeVisible();
     await expectPart(page);

@@ -98,7 +98,7 @@ test('programs with names are selected by name', async ({ page }) => {
   expect((await setup()).program ?? 1_254_805_063).toBe(1_254_805_063);
 });
 
-test('in Chinese and Russian, and from attributes', async ({ page }) => {
+test('switches are set by attributes, and have labels in Chinese and Russian', async ({ page }) => {
   const setup = await listen(page);
   await open(page);
   await type(page, PROGRAMS);

@@ -68,7 +68,7 @@ async function hasPrograms(page: BasicPage, count: number): Promise<void> {
   await list(page).getByRole('button', { name: 'Close' }).click();
 }
 
-test('two tasks: each link restores its own work, which can be continued', async ({ page }) => {
+test('each link of two tasks restores its own work, which can be continued', async ({ page }) => {
   await open(page, first.link);
   const onFirst = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -105,7 +105,7 @@ test('a changed example on the page without a link does not affect the work', as
   await isShown(page, first, done);
 });
 
-test('in one tab: another link, and back by the link to the task', async ({ page }) => {
+test('in one tab, the link to the task restores the work after another link was opened', async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   // Immediately, before the timer stores it.
@@ -127,7 +127,7 @@ test('in one tab: another link, and back by the link to the task', async ({ page
   await hasPrograms(page, 2);
 });
 
-test('in one tab: the URL without a link, with and without a reload, and back by the link to the task', async ({
+test('in one tab, the link to the task restores the work after the URL without a link, reloaded or not', async ({
   page,
 }) => {
   await open(page, first.link);

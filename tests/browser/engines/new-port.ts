@@ -1,5 +1,5 @@
-// Opens a server on a port, and so an origin, that no earlier test of this worker has used. The system reuses
-// ports after some hundred others, and the shared browser still has the storage of earlier tests.
+// Listens on a port that no earlier test of this worker has used, so that the origin is new. The system reuses ports
+// after some hundred others, and the shared browser still has the storage of earlier tests.
 import type { Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 
