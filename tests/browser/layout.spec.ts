@@ -123,7 +123,7 @@ test('the text size of the whole page can be increased, also in the drawing', as
   await expect.poll(height).toBeLessThan(before * 1.1);
 });
 
-test('a presentation shows program and drawing in large type, and goes on by the keys of a remote control', async ({
+test('presentation mode shows program and drawing in large type, and steps by the keys of a remote control', async ({
   page,
 }) => {
   await open(page);

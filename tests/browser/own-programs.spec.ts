@@ -72,7 +72,7 @@ test('a changed example, a file and a pasted text are in the list, and an unchan
   await expect(items(page).nth(0)).toContainText('open now');
   await expect(items(page).nth(1)).toContainText('O0011 SHAFT');
 
-  await test.step('each has a small picture', async () => {
+  await test.step('each program has a small picture', async () => {
     await expect.poll(() => items(page).nth(0).locator('path.cut').getAttribute('d')).toMatch(/^M[\d LMH-]+$/);
   });
   await test.step('a program is found by its name or its codes', async () => {

@@ -46,7 +46,7 @@ test('light and dark mode follow the system or the setting', async ({ page }, in
   expect(await ground()).toBe(dark);
 });
 
-test('the table of codes in Chinese and Russian, in dark mode and on a phone', async ({
+test('the table of codes is shown in Chinese and Russian, in dark mode and on a phone', async ({
   page,
   browser,
   baseURL,
