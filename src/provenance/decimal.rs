@@ -153,19 +153,16 @@ impl StatementContext {
         let mut among = Self::default();
         for word in statement.words() {
             among.given |= letters(&[word.letter]);
-            match word.letter {
-                b'G' => {
-                    among.codes += 1;
-                    match word.number.and_then(|number| number.tenths()) {
-                        Some(40) => among.dwells = true,
-                        Some(650 | 660 | 661) => among.calls_macro = true,
-                        Some(200) => among.unit = Some(Unit::Inch),
-                        Some(210) => among.unit = Some(Unit::Millimetre),
-                        Some(key) => among.cycle = multiple(key).or(among.cycle),
-                        None => {}
-                    }
+            if word.letter == b'G' {
+                among.codes += 1;
+                match word.number.and_then(|number| number.tenths()) {
+                    Some(40) => among.dwells = true,
+                    Some(650 | 660 | 661) => among.calls_macro = true,
+                    Some(200) => among.unit = Some(Unit::Inch),
+                    Some(210) => among.unit = Some(Unit::Millimetre),
+                    Some(key) => among.cycle = multiple(key).or(among.cycle),
+                    None => {}
                 }
-                _ => {}
             }
         }
         let has = |any: &[u8]| among.given & letters(any) != 0;

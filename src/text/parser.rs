@@ -304,7 +304,7 @@ impl<'a> Parser<'a> {
         const AFTER: usize = 256;
         let (end, rest) = (fixed.len(), &text[block.span.end as usize..]);
         fixed.extend_from_slice(&rest[..rest.len().min(AFTER)]);
-        let here = Resume { begun: self.begun, after_semicolon: after_semicolon, ..Resume::default() };
+        let here = Resume { begun: self.begun, after_semicolon, ..Resume::default() };
         let mut trial = Parser { is_trial: true, ..Parser::resume(&fixed, here) };
         let errors = |block: &Block| block.faults.iter().filter(|fault| fault.is_error()).count();
         let (mut read, mut left) = (Block::default(), 0);
@@ -1058,13 +1058,7 @@ impl<'a> Parser<'a> {
     fn take_marked_remark(&self, block: &mut Block, remark: Span, after_semicolon: bool) {
         let text = self.lexer.text();
         let Span { start: byte, .. } = block.span;
-        let here = Resume {
-            byte,
-            line: block.line,
-            begun: self.begun,
-            after_semicolon: after_semicolon,
-            ended: false,
-        };
+        let here = Resume { byte, line: block.line, begun: self.begun, after_semicolon, ended: false };
         let mut own =
             Parser { is_trial: self.is_trial, ..Parser::resume(&text[..remark.start as usize], here) };
         let mut rest = Block::default();
