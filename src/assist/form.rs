@@ -78,7 +78,7 @@ impl Form {
         }
         let call = block.words.iter().find_map(|word| m_of(word).filter(|code| is_call(*code)));
         match (one_shot, hole, call) {
-            (Some(G::Multiple(cycle)), ..) => Self::Multiple(cycle, cycle_block(cycle, block)),
+            (Some(G::Multiple(cycle)), ..) => Self::Multiple(cycle, cycle_block(cycle, block, 0)),
             (Some(code), ..) => Self::OneShot(code),
             (None, Some(hole), _) => Self::Hole { hole, own: true },
             (None, None, Some(call)) => Self::Call(call),
@@ -108,8 +108,8 @@ fn is_call(code: M) -> bool {
     matches!(code, M::Call | M::LocalCall | M::Return)
 }
 
-/// Which block of a multiple cycle it is, decided by its words.
-pub fn cycle_block(cycle: Multiple, block: &Block) -> CycleBlock {
+/// Which block of a multiple cycle it is, decided by its words and by other letters, the bits of [`letters`].
+pub fn cycle_block(cycle: Multiple, block: &Block, others: u32) -> CycleBlock {
     let own = block.words.iter().filter(|word| !word.comma);
-    cycle.spec().block(own.fold(0, |given, word| given | letters(&[word.address])))
+    cycle.spec().block(own.fold(others, |given, word| given | letters(&[word.address])))
 }

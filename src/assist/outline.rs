@@ -184,7 +184,7 @@ impl Outlining<'_> {
     /// The cycle that a block executes.
     fn cycle(&self, block: &Block) -> Option<Function> {
         block.words.iter().find_map(|word| match g_of(word, self.codes)? {
-            code @ G::Multiple(cycle) if cycle_block(cycle, block) != CycleBlock::First => {
+            code @ G::Multiple(cycle) if cycle_block(cycle, block, 0) != CycleBlock::First => {
                 codes::function_of(code)
             }
             code @ (G::Motion(MotionMode::Cycle(_)) | G::Hole(_)) => codes::function_of(code),

@@ -1,11 +1,11 @@
 //! Proposes words for a block, and values for them: from the blank, the tool and the text.
 
 use super::{Item, Proposing, What, Why, fixed};
-use crate::assist::form::Form;
+use crate::assist::form::{Form, cycle_block};
 use crate::assist::role::Role;
 use crate::assist::signature::{WhenOmitted, lines, role_of};
 use crate::assist::snippet::{Piece, written};
-use crate::control::words::Reading;
+use crate::control::words::{Reading, letters};
 use crate::order;
 use crate::units::Diameter;
 
@@ -44,6 +44,10 @@ impl Proposing<'_> {
         let form = match self.form() {
             // A line without a code continues the modal motion.
             Form::Nothing => Form::Motion { mode: self.state.motion, own: false },
+            // The word without its value is not in the block yet, and may decide which block of the cycle it is.
+            Form::Multiple(cycle, _) => {
+                Form::Multiple(cycle, cycle_block(cycle, self.asked.block, letters(&[letter])))
+            }
             form => form,
         };
         let role = role_of(letter, form, self.state);
