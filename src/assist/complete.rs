@@ -147,9 +147,8 @@ impl Proposing<'_> {
         let mut codes: Vec<_> = codes::g_codes(list).filter(is_supported).collect();
         order::by_key(&mut codes, |(_, code)| self.rank_g(code.code));
         let continued = self.second_block().map(|snippet| self.snippet(snippet));
-        let codes = codes
-            .into_iter()
-            .map(|(written, code)| fixed(written, What::Code(code.function(), Role::of_g(code.code))));
+        let codes =
+            codes.into_iter().map(|(written, code)| fixed(written, What::Code(code.function(), code.role())));
         continued.into_iter().chain(codes).collect()
     }
 
@@ -184,10 +183,8 @@ impl Proposing<'_> {
             _ => 5,
         };
         let mut codes: Vec<_> = codes::m_codes().collect();
-        order::by_key(&mut codes, |&(number, code, _)| rank(number, code));
-        let item = |(number, _, function)| {
-            fixed(format!("M{number:02}"), What::Code(function, Role::of_m(u64::from(number))))
-        };
+        order::by_key(&mut codes, |&(number, code, ..)| rank(number, code));
+        let item = |(number, _, function, role)| fixed(format!("M{number:02}"), What::Code(function, role));
         codes.into_iter().map(item).collect()
     }
 

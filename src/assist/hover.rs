@@ -6,7 +6,7 @@ use super::Query;
 use super::fact::{Fact, Quantity};
 use super::form::{Form, g_of};
 use super::place::of_c;
-use super::role::Role;
+use super::role::{Role, axes};
 use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::{self, Function, G, Hole, MotionMode, Multiple};
 use crate::control::contour::ContourUse;
@@ -179,7 +179,7 @@ impl<'a> Query<'a> {
             }
         }
         facts.extend(cuts_thread(found.code).then_some(Fact::ThreadLocked));
-        let (function, role) = (Some(found.function()), Role::of_g(found.code));
+        let (function, role) = (Some(found.function()), found.role());
         let quantity = match found.code {
             G::Frame(frame) => Some(Quantity::Count(f64::from(frame + 1))),
             _ => None,
@@ -189,10 +189,9 @@ impl<'a> Query<'a> {
 
     fn m_code(&self, word: &Word) -> Hover {
         let number = plain(word).filter(|number| *number >= 0.0).map(|number| number as u64);
-        let Some(function) = number.and_then(codes::m_function) else {
+        let Some((function, role)) = number.and_then(codes::m_function) else {
             return Hover::of(word.span, Role::UnknownCode);
         };
-        let role = number.and_then(Role::of_m);
         Hover { span: word.span, function: Some(function), role, quantity: None, facts: Vec::new() }
     }
 
@@ -205,11 +204,8 @@ impl<'a> Query<'a> {
         let word = own.as_ref().unwrap_or(written);
         let form = Form::of(self.block, before, self.codes);
         let surface = self.surface_in_block().unwrap_or(before.spindle.surface);
-        let role = Role::of(word, form, surface, after.c_axis || before.virtual_plane.is_some());
-        let role = match form {
-            Form::Motion { mode: MotionMode::Arc(_), .. } => role.in_plane_of(word.address, before),
-            _ => role,
-        };
+        let axes = axes(before, after.c_axis || before.virtual_plane.is_some());
+        let role = Role::of(word, form, surface, axes);
         let reading = Reading { unit: after.unit, decimal: self.dialect.decimal };
         let quantity = self.quantity(word, role, form, before, reading);
         let mut facts = Vec::new();
@@ -231,7 +227,7 @@ impl<'a> Query<'a> {
         let form = Form::of(self.block, &state, self.codes);
         let own =
             |form| matches!(form, Form::Motion { own: true, .. } | Form::Multiple(..) | Form::OneShot(_));
-        let role = Role::of(word, form, self.surface_in_block().unwrap_or(false), false);
+        let role = Role::of(word, form, self.surface_in_block().unwrap_or(false), axes(&state, false));
         let reading = Reading { unit: state.unit, decimal: self.dialect.decimal };
         let quantity = own(form).then(|| self.quantity(word, role, form, &state, reading)).flatten();
         Hover { quantity, ..Hover::of(word.span, role) }

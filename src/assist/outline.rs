@@ -185,9 +185,11 @@ impl Outlining<'_> {
     fn cycle(&self, block: &Block) -> Option<Function> {
         block.words.iter().find_map(|word| match g_of(word, self.codes)? {
             code @ G::Multiple(cycle) if cycle_block(cycle, block, 0) != CycleBlock::First => {
-                codes::function_of(code)
+                codes::function_of(code).map(|(function, _)| function)
             }
-            code @ (G::Motion(MotionMode::Cycle(_)) | G::Hole(_)) => codes::function_of(code),
+            code @ (G::Motion(MotionMode::Cycle(_)) | G::Hole(_)) => {
+                codes::function_of(code).map(|(function, _)| function)
+            }
             _ => None,
         })
     }

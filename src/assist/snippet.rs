@@ -4,7 +4,8 @@
 //! texts run without a message.
 
 use super::Query;
-use crate::control::codes::cycles::{CycleBlock, CycleWord, Sample};
+use crate::control::codes::cycles::CycleBlock;
+use crate::control::codes::words::{CodeWord, Sample};
 use crate::control::codes::{self, Compensation, G, Hole, MacroCall, MotionMode, Multiple};
 use crate::control::modal::State;
 use crate::control::words::Reading;
@@ -321,7 +322,7 @@ impl Writing<'_> {
     }
 
     /// The words of a block that have a sample.
-    fn words(&mut self, words: &[CycleWord]) {
+    fn words(&mut self, words: &[CodeWord]) {
         for word in words {
             if let Some(sample) = word.sample {
                 self.sample(char::from(word.letters[0]), sample);

@@ -273,8 +273,8 @@ fn in_force(modal: Modal, state: &State, list: CodeList, pq_unit: PqUnit) -> InF
 fn code(code: G, list: CodeList) -> InForce {
     match codes::written(code, list) {
         Some(text) => {
-            let function = codes::function_of(code);
-            InForce::Code(text, function, Role::of_g(code))
+            let (function, role) = codes::function_of(code).unzip();
+            InForce::Code(text, function, role.flatten())
         }
         None => InForce::Nothing,
     }

@@ -7,11 +7,12 @@ pub mod cycles;
 mod function;
 mod registry;
 pub mod role;
+pub mod words;
 
 pub use function::{Function, Section};
 pub use registry::{
     Effect, GCode, Row, function_of, g_code, g_codes, is_of_machine, m_code, m_codes, m_function, rows,
-    written,
+    written, written_m,
 };
 
 use super::words::plain;

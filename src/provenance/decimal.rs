@@ -7,7 +7,7 @@
 //! number that is impossible as a length on a lathe.
 
 use super::statement::{Statement, Word};
-use crate::control::codes::cycles::Amount;
+use crate::control::codes::words::Amount;
 use crate::control::codes::{G, Multiple, g_code};
 use crate::control::words::letters;
 use crate::message::{Message, said};

@@ -2,7 +2,7 @@
 
 use super::{Item, Proposing, What, Why, fixed};
 use crate::assist::form::{Form, cycle_block};
-use crate::assist::role::Role;
+use crate::assist::role::{Role, axes};
 use crate::assist::signature::{WhenOmitted, lines, role_of};
 use crate::assist::snippet::{Piece, written};
 use crate::control::words::{Reading, letters};
@@ -129,7 +129,7 @@ impl Proposing<'_> {
         if !self.own || matches!(form, Form::Motion { own: false, .. } | Form::Macro | Form::Nothing) {
             return Vec::new();
         }
-        let lines = lines(form, self.asked.dialect);
+        let lines = lines(form, self.asked.dialect, axes(self.state, self.state.c_axis));
         let Some(line) = lines.iter().find(|line| line.form == form) else { return Vec::new() };
         let stands = |letters: &[u8], comma: bool| {
             let words = &self.asked.block.words;

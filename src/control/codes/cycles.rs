@@ -6,6 +6,7 @@
 
 use super::function::Function;
 use super::role::Role;
+use super::words::{Amount, CodeWord, Sample, role_in, word};
 use crate::control::words::letters;
 use crate::cycles::single::Single;
 use crate::motion::Cycle;
@@ -19,80 +20,6 @@ pub enum CycleBlock {
     Second,
     /// One block with everything, as on older controls.
     Whole,
-}
-
-/// Meaning of an omitted word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WhenOmitted {
-    /// The block is wrong, or does not do what was intended.
-    Missing,
-    /// The axis does not move.
-    Stays,
-    /// Zero.
-    Zero,
-    /// The value set by an earlier block.
-    AsSet,
-    /// Nothing: the word is optional.
-    Nothing,
-}
-
-/// A kind of number whose size shows what it counts without a decimal point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Amount {
-    /// A coordinate along X.
-    Diameter,
-    /// A coordinate along Z.
-    Length,
-    /// A depth of cut or an allowance.
-    Cut,
-    /// The excess of a casting.
-    Relief,
-    /// The last cut of a thread.
-    ThreadAllowance,
-    /// A dwell.
-    Time,
-}
-
-/// The value of a word in a snippet.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Sample {
-    /// A length, mm.
-    Length(f64),
-    /// A length that is written without a decimal point, mm.
-    Depth(f64),
-    /// A feed rate, mm per revolution.
-    Feed(f64),
-    /// Digits.
-    Digits(&'static str),
-    /// The first sequence number of the contour.
-    First,
-    /// The last sequence number of the contour.
-    Last,
-    /// A diameter that is smaller than the blank by at most this, mm.
-    Inward(f64),
-    /// A place along Z: this part of the length of the cut.
-    Along(f64),
-    /// A diameter that is smaller than the blank by this, mm.
-    Smaller(f64),
-    /// A place along Z behind the face by this, mm.
-    Behind(f64),
-    /// The height from the blank to a diameter that is smaller by at most this, mm.
-    Height(f64),
-}
-
-/// A word of a block of a cycle.
-#[derive(Clone, Copy, Debug)]
-pub struct CycleWord {
-    /// Its possible letters, such as X or U.
-    pub letters: &'static [u8],
-    /// The role of each letter.
-    pub roles: &'static [Role],
-    /// Meaning if it is omitted; `None` if the signature of the block does not show it.
-    pub otherwise: Option<WhenOmitted>,
-    /// What its size shows, if it is an amount other than a coordinate.
-    pub amount: Option<Amount>,
-    /// Its value in a snippet, if the snippet contains it.
-    pub sample: Option<Sample>,
 }
 
 /// A multiple cycle.
@@ -111,11 +38,11 @@ pub struct CycleSpec {
     /// Whether it reads the contour that P and Q name.
     pub reads_contour: bool,
     /// The words of each form of the block.
-    pub first: &'static [CycleWord],
+    pub first: &'static [CodeWord],
     /// The words of the second block.
-    pub second: &'static [CycleWord],
+    pub second: &'static [CodeWord],
     /// The words of the one-block form.
-    pub whole: &'static [CycleWord],
+    pub whole: &'static [CodeWord],
 }
 
 impl CycleSpec {
@@ -129,7 +56,7 @@ impl CycleSpec {
     }
 
     /// The words of a block.
-    pub fn words(&self, block: CycleBlock) -> &'static [CycleWord] {
+    pub fn words(&self, block: CycleBlock) -> &'static [CodeWord] {
         match block {
             CycleBlock::First => self.first,
             CycleBlock::Second => self.second,
@@ -139,7 +66,7 @@ impl CycleSpec {
 
     /// The role of a letter in a block.
     pub fn role(&self, block: CycleBlock, letter: u8) -> Role {
-        self.words(block).iter().find_map(|word| word.role(letter)).unwrap_or(Role::Ignored)
+        role_in(self.words(block), letter)
     }
 
     /// What the size of the word with a letter shows, if it is no coordinate.
@@ -154,66 +81,19 @@ impl CycleSpec {
     }
 }
 
-impl CycleWord {
-    fn role(&self, letter: u8) -> Option<Role> {
-        let at = self.letters.iter().position(|own| *own == letter)?;
-        self.roles.get(at).copied()
-    }
-
-    const fn or(mut self, otherwise: WhenOmitted) -> Self {
-        self.otherwise = Some(otherwise);
-        self
-    }
-
-    const fn must(self) -> Self {
-        self.or(WhenOmitted::Missing)
-    }
-
-    const fn stays(self) -> Self {
-        self.or(WhenOmitted::Stays)
-    }
-
-    const fn zero(self) -> Self {
-        self.or(WhenOmitted::Zero)
-    }
-
-    const fn as_set(self) -> Self {
-        self.or(WhenOmitted::AsSet)
-    }
-
-    const fn may(self) -> Self {
-        self.or(WhenOmitted::Nothing)
-    }
-
-    const fn amount(mut self, amount: Amount) -> Self {
-        self.amount = Some(amount);
-        self
-    }
-
-    const fn sample(mut self, sample: Sample) -> Self {
-        self.sample = Some(sample);
-        self
-    }
-}
-
-/// A word that the signature does not show.
-const fn word(letters: &'static [u8], roles: &'static [Role]) -> CycleWord {
-    CycleWord { letters, roles, otherwise: None, amount: None, sample: None }
-}
-
-const FEED: CycleWord = word(b"F", &[Role::Feed]).as_set();
+const FEED: CodeWord = word(b"F", &[Role::Feed]).as_set();
 /// F of a block whose signature does not show it.
-const HIDDEN_FEED: CycleWord = word(b"F", &[Role::Feed]);
-const LEAD: CycleWord = word(b"F", &[Role::Lead]).must();
-const CONTOUR_FIRST: CycleWord = word(b"P", &[Role::ContourFirst]).must().sample(Sample::First);
-const CONTOUR_LAST: CycleWord = word(b"Q", &[Role::ContourLast]).must().sample(Sample::Last);
-const ALLOWANCE_X: CycleWord =
+const HIDDEN_FEED: CodeWord = word(b"F", &[Role::Feed]);
+const LEAD: CodeWord = word(b"F", &[Role::Lead]).must();
+const CONTOUR_FIRST: CodeWord = word(b"P", &[Role::ContourFirst]).must().sample(Sample::First);
+const CONTOUR_LAST: CodeWord = word(b"Q", &[Role::ContourLast]).must().sample(Sample::Last);
+const ALLOWANCE_X: CodeWord =
     word(b"U", &[Role::AllowanceX]).zero().amount(Amount::Cut).sample(Sample::Length(0.4));
-const ALLOWANCE_Z: CycleWord =
+const ALLOWANCE_Z: CodeWord =
     word(b"W", &[Role::AllowanceZ]).zero().amount(Amount::Cut).sample(Sample::Length(0.1));
-const FINISH_AFTER: CycleWord = word(b"J", &[Role::FinishAfter]);
-const SPEED: CycleWord = word(b"S", &[Role::SpindleSpeed]).as_set();
-const TOOL: CycleWord = word(b"T", &[Role::ToolAndOffset]).as_set();
+const FINISH_AFTER: CodeWord = word(b"J", &[Role::FinishAfter]);
+const SPEED: CodeWord = word(b"S", &[Role::SpindleSpeed]).as_set();
+const TOOL: CodeWord = word(b"T", &[Role::ToolAndOffset]).as_set();
 
 const CONTOUR_WITH: u32 = letters(b"PQ");
 const PLACE_WITH: u32 = letters(b"XZUW");
@@ -283,7 +163,7 @@ pub const ROUGH_FACING: CycleSpec = CycleSpec {
 };
 
 /// The second block of G71 to G73.
-const ROUGHING: &[CycleWord] = &[
+const ROUGHING: &[CodeWord] = &[
     CONTOUR_FIRST,
     CONTOUR_LAST,
     ALLOWANCE_X,
@@ -327,12 +207,12 @@ pub const PATTERN: CycleSpec = CycleSpec {
     ..ROUGH_TURNING
 };
 
-const PECK_END_X: CycleWord = word(b"XU", &[Role::PeckEndX, Role::PeckWayX]).stays();
-const PECK_END_Z: CycleWord = word(b"ZW", &[Role::PeckEndZ, Role::PeckWayZ]).stays();
+const PECK_END_X: CodeWord = word(b"XU", &[Role::PeckEndX, Role::PeckWayX]).stays();
+const PECK_END_Z: CodeWord = word(b"ZW", &[Role::PeckEndZ, Role::PeckWayZ]).stays();
 const BOTTOM_RELIEF: &[Role] = &[Role::BottomRelief];
 const PECK: &[Role] = &[Role::Peck];
 const STEP_OVER: &[Role] = &[Role::StepOver];
-const PECK_RETRACT: CycleWord =
+const PECK_RETRACT: CodeWord =
     word(b"R", &[Role::PeckRetract]).as_set().amount(Amount::Cut).sample(Sample::Length(0.5));
 
 /// G74.
@@ -409,13 +289,13 @@ pub const GROOVING: CycleSpec = CycleSpec {
 
 /// Height of the thread in a snippet, mm of diameter.
 const THREAD: f64 = 2.6;
-const THREAD_END_X: CycleWord = word(b"XU", &[Role::ThreadEndX, Role::ThreadWayX]).must();
-const THREAD_END_Z: CycleWord = word(b"ZW", &[Role::ThreadEndZ, Role::ThreadWayZ]).stays();
+const THREAD_END_X: CodeWord = word(b"XU", &[Role::ThreadEndX, Role::ThreadWayX]).must();
+const THREAD_END_Z: CodeWord = word(b"ZW", &[Role::ThreadEndZ, Role::ThreadWayZ]).stays();
 const THREAD_HEIGHT: &[Role] = &[Role::ThreadHeight];
 const FIRST_DEPTH: &[Role] = &[Role::FirstDepth];
 const THREAD_TAPER: &[Role] = &[Role::ThreadTaper];
 const THREAD_ANGLE: &[Role] = &[Role::ThreadAngle];
-const STARTS: CycleWord = word(b"L", &[Role::Starts]);
+const STARTS: CodeWord = word(b"L", &[Role::Starts]);
 
 /// G76.
 pub const THREADING: CycleSpec = CycleSpec {
@@ -473,16 +353,9 @@ pub struct SingleSpec {
     /// Ten times its number in systems A, B and C and on GSK.
     pub keys: [u16; 4],
     /// Its words on FANUC.
-    pub words: &'static [CycleWord],
+    pub words: &'static [CodeWord],
     /// Its words on GSK.
-    pub on_gsk: &'static [CycleWord],
-}
-
-impl SingleSpec {
-    /// The role of a letter.
-    pub fn role(&self, letter: u8) -> Role {
-        self.words.iter().find_map(|word| word.role(letter)).unwrap_or(Role::Ignored)
-    }
+    pub on_gsk: &'static [CodeWord],
 }
 
 impl Single {
@@ -496,10 +369,10 @@ impl Single {
     }
 }
 
-const CYCLE_END_X: CycleWord = word(b"XU", &[Role::CycleEndX, Role::CycleWayX]).as_set();
-const CYCLE_END_Z: CycleWord = word(b"ZW", &[Role::CycleEndZ, Role::CycleWayZ]).as_set();
+const CYCLE_END_X: CodeWord = word(b"XU", &[Role::CycleEndX, Role::CycleWayX]).as_set();
+const CYCLE_END_Z: CodeWord = word(b"ZW", &[Role::CycleEndZ, Role::CycleWayZ]).as_set();
 
-const TURNING_WORDS: &[CycleWord] = &[
+const TURNING_WORDS: &[CodeWord] = &[
     CYCLE_END_X.sample(Sample::Smaller(2.0)),
     CYCLE_END_Z.sample(Sample::Along(2.0 / 3.0)),
     word(b"R", &[Role::TaperX]).zero(),
@@ -515,7 +388,7 @@ const SINGLE_TURNING: SingleSpec = SingleSpec {
     on_gsk: TURNING_WORDS,
 };
 
-const FACING_WORDS: &[CycleWord] = &[
+const FACING_WORDS: &[CodeWord] = &[
     CYCLE_END_X.sample(Sample::Inward(20.0)),
     CYCLE_END_Z.sample(Sample::Behind(1.0)),
     word(b"R", &[Role::TaperZ]).zero(),
@@ -531,15 +404,15 @@ const SINGLE_FACING: SingleSpec = SingleSpec {
     on_gsk: FACING_WORDS,
 };
 
-const SINGLE_LEAD: CycleWord = word(b"F", &[Role::Lead]).as_set().sample(Sample::Length(2.0));
-const SINGLE_THREAD_X: CycleWord = CYCLE_END_X.sample(Sample::Smaller(0.5));
-const SINGLE_THREAD_Z: CycleWord = CYCLE_END_Z.sample(Sample::Along(2.0 / 3.0));
-const SINGLE_TAPER: CycleWord = word(b"R", &[Role::TaperX]).zero();
-const START_ANGLE: CycleWord = word(b"Q", &[Role::StartAngle]);
-const PULL_OUT_ACROSS: CycleWord = word(b"J", &[Role::PullOutAcross]);
-const PULL_OUT_ALONG: CycleWord = word(b"K", &[Role::PullOutAlong]);
+const SINGLE_LEAD: CodeWord = word(b"F", &[Role::Lead]).as_set().sample(Sample::Length(2.0));
+const SINGLE_THREAD_X: CodeWord = CYCLE_END_X.sample(Sample::Smaller(0.5));
+const SINGLE_THREAD_Z: CodeWord = CYCLE_END_Z.sample(Sample::Along(2.0 / 3.0));
+const SINGLE_TAPER: CodeWord = word(b"R", &[Role::TaperX]).zero();
+const START_ANGLE: CodeWord = word(b"Q", &[Role::StartAngle]);
+const PULL_OUT_ACROSS: CodeWord = word(b"J", &[Role::PullOutAcross]);
+const PULL_OUT_ALONG: CodeWord = word(b"K", &[Role::PullOutAlong]);
 /// Words of G92 for leads in other units.
-const OTHER_LEADS: CycleWord = word(b"EI", &[Role::Lead, Role::ThreadsPerInch]);
+const OTHER_LEADS: CodeWord = word(b"EI", &[Role::Lead, Role::ThreadsPerInch]);
 
 /// G92.
 const SINGLE_THREADING: SingleSpec = SingleSpec {
@@ -568,33 +441,3 @@ const SINGLE_THREADING: SingleSpec = SingleSpec {
         START_ANGLE,
     ],
 };
-
-#[cfg(test)]
-mod tests {
-    use super::{CycleBlock, CycleWord, Single};
-    use crate::control::codes::Multiple;
-
-    #[test]
-    fn each_letter_is_in_a_block_once_and_has_a_role() {
-        use Multiple::{FacePecking, Finishing, Grooving, Pattern, RoughFacing, RoughTurning, Threading};
-        let all = [Finishing, RoughTurning, RoughFacing, Pattern, FacePecking, Grooving, Threading];
-        let blocks = [CycleBlock::First, CycleBlock::Second, CycleBlock::Whole];
-        let multiples = all.iter().flat_map(|cycle| blocks.map(|block| cycle.spec().words(block)));
-        let singles = [Single::Turning, Single::Threading, Single::Facing];
-        let singles = singles.iter().flat_map(|cycle| [cycle.spec().words, cycle.spec().on_gsk]);
-        let mut count = 0;
-        for words in multiples.chain(singles) {
-            let mut seen = Vec::new();
-            for CycleWord { letters, roles, .. } in words {
-                assert_eq!(letters.len(), roles.len(), "{letters:?}");
-                assert!(
-                    letters.iter().all(|letter| !seen.contains(letter)),
-                    "{letters:?} twice in {words:?}"
-                );
-                seen.extend_from_slice(letters);
-                count += letters.len();
-            }
-        }
-        assert!(count > 100, "{count}");
-    }
-}

@@ -6,6 +6,7 @@
 
 use super::cycles::{CycleSpec, SingleSpec};
 use super::function::Function;
+use super::role::Role;
 use super::{Compensation, G, Group, Hole, HoleReturn, M, MacroCall, MotionMode, Multiple, Plane, Switch};
 use crate::cycles::single::Single;
 use crate::geometry::Turn;
@@ -30,6 +31,8 @@ const NOT_THERE: u16 = u16::MAX;
 /// A G code.
 pub struct GCode {
     function: Function,
+    /// Its meaning, if its function has several codes.
+    role: Option<Role>,
     /// Its meaning.
     pub code: G,
     /// Modal group: two codes of one group cannot be in force together.
@@ -40,6 +43,7 @@ pub struct GCode {
 
 struct MCode {
     function: Function,
+    role: Option<Role>,
     code: M,
     number: u16,
 }
@@ -51,7 +55,7 @@ const fn same(key: u16, function: Function, code: G, group: Group) -> GCode {
 
 /// A G code by its keys in systems A, B, C and on GSK.
 const fn spelled(keys: [u16; 4], function: Function, code: G, group: Group) -> GCode {
-    GCode { function, code, group, keys }
+    GCode { function, role: None, code, group, keys }
 }
 
 const fn mode(key: u16, function: Function, mode: MotionMode) -> GCode {
@@ -121,8 +125,8 @@ const G_CODES: &[GCode] = &[
     hole(Function::SideTapping, Hole::G88),
     hole(Function::SideBoring, Hole::G89),
     // Return level after a hole; the initial level is used.
-    not_in_a(980, Function::HoleReturn, G::HoleReturn(HoleReturn::Initial), 11),
-    not_in_a(990, Function::HoleReturn, G::HoleReturn(HoleReturn::RPoint), 11),
+    not_in_a(980, Function::HoleReturn, G::HoleReturn(HoleReturn::Initial), 11).means(Role::InitialLevel),
+    not_in_a(990, Function::HoleReturn, G::HoleReturn(HoleReturn::RPoint), 11).means(Role::RPointLevel),
     same(400, Function::CompensationOff, G::Compensation(Compensation::Off), 7),
     same(410, Function::CompensationLeft, G::Compensation(Compensation::Left), 7),
     same(420, Function::CompensationRight, G::Compensation(Compensation::Right), 7),
@@ -135,33 +139,33 @@ const G_CODES: &[GCode] = &[
     differs_in_b_and_c(500, 920, Function::Setting, G::Setting, 0),
     same(520, Function::LocalFrame, G::LocalFrame, 0),
     same(530, Function::Machine, G::Machine, 0),
-    same(540, Function::Frame, G::Frame(0), 14),
-    same(550, Function::Frame, G::Frame(1), 14),
-    same(560, Function::Frame, G::Frame(2), 14),
-    same(570, Function::Frame, G::Frame(3), 14),
-    same(580, Function::Frame, G::Frame(4), 14),
-    same(590, Function::Frame, G::Frame(5), 14),
+    same(540, Function::Frame, G::Frame(0), 14).means(Role::WorkFrame),
+    same(550, Function::Frame, G::Frame(1), 14).means(Role::WorkFrame),
+    same(560, Function::Frame, G::Frame(2), 14).means(Role::WorkFrame),
+    same(570, Function::Frame, G::Frame(3), 14).means(Role::WorkFrame),
+    same(580, Function::Frame, G::Frame(4), 14).means(Role::WorkFrame),
+    same(590, Function::Frame, G::Frame(5), 14).means(Role::WorkFrame),
     same(541, Function::ExtendedFrame, G::ExtendedFrame, 14),
-    not_in_a(900, Function::Distance, G::Distance { incremental: false }, 3),
-    not_in_a(910, Function::Distance, G::Distance { incremental: true }, 3),
+    not_in_a(900, Function::Distance, G::Distance { incremental: false }, 3).means(Role::Absolute),
+    not_in_a(910, Function::Distance, G::Distance { incremental: true }, 3).means(Role::Incremental),
     same(270, Function::CheckHome, G::CheckHome, 0),
     same(280, Function::Home, G::Home, 0),
     same(290, Function::FromHome, G::FromHome, 0),
     same(300, Function::OtherHome, G::OtherHome, 0),
-    same(100, Function::Data, G::Data, 0),
-    same(110, Function::Data, G::EndOfData, 0),
-    same(170, Function::Plane, G::Plane(Plane::Xy), 16),
-    same(180, Function::Plane, G::Plane(Plane::Zx), 16),
-    same(190, Function::Plane, G::Plane(Plane::Yz), 16),
-    spelled([200, 200, 700, 200], Function::Unit, G::Unit(Unit::Inch), 6),
-    spelled([210, 210, 710, 210], Function::Unit, G::Unit(Unit::Millimetre), 6),
-    differs_in_b_and_c(980, 940, Function::Feed, G::Feed(FeedMode::PerMinute), 5),
-    differs_in_b_and_c(990, 950, Function::Feed, G::Feed(FeedMode::PerTurn), 5),
+    same(100, Function::Data, G::Data, 0).means(Role::DataInput),
+    same(110, Function::Data, G::EndOfData, 0).means(Role::DataEnd),
+    same(170, Function::Plane, G::Plane(Plane::Xy), 16).means(Role::PlaneXy),
+    same(180, Function::Plane, G::Plane(Plane::Zx), 16).means(Role::PlaneZx),
+    same(190, Function::Plane, G::Plane(Plane::Yz), 16).means(Role::PlaneYz),
+    spelled([200, 200, 700, 200], Function::Unit, G::Unit(Unit::Inch), 6).means(Role::InchInput),
+    spelled([210, 210, 710, 210], Function::Unit, G::Unit(Unit::Millimetre), 6).means(Role::MetricInput),
+    differs_in_b_and_c(980, 940, Function::Feed, G::Feed(FeedMode::PerMinute), 5).means(Role::FeedPerMinute),
+    differs_in_b_and_c(990, 950, Function::Feed, G::Feed(FeedMode::PerTurn), 5).means(Role::FeedPerTurn),
     same(960, Function::SurfaceSpeed, G::SurfaceSpeed, 2),
     same(970, Function::ConstantSpeed, G::ConstantSpeed, 2),
-    same(650, Function::MacroCall, G::MacroCall(MacroCall::Once), 0),
-    same(660, Function::ModalMacro, G::MacroCall(MacroCall::Modal), 12),
-    same(670, Function::ModalMacro, G::NoModalMacro, 12),
+    same(650, Function::MacroCall, G::MacroCall(MacroCall::Once), 0).means(Role::MacroOnce),
+    same(660, Function::ModalMacro, G::MacroCall(MacroCall::Modal), 12).means(Role::MacroModal),
+    same(670, Function::ModalMacro, G::NoModalMacro, 12).means(Role::MacroOff),
     same(220, Function::StrokeCheck, G::Idle, 9),
     same(230, Function::StrokeCheck, G::Idle, 9),
     idle(90, Function::ExactStop),
@@ -284,52 +288,52 @@ const G_CODES: &[GCode] = &[
 ];
 
 const fn m(number: u16, function: Function, code: M) -> MCode {
-    MCode { function, code, number }
+    MCode { function, role: None, code, number }
 }
 
 /// The table of seed 002, and other common codes.
 static M_CODES: &[MCode] = &[
-    m(3, Function::Spindle, M::Spindle(SpindleTurn::Forward)),
-    m(4, Function::Spindle, M::Spindle(SpindleTurn::Reverse)),
-    m(5, Function::Spindle, M::Spindle(SpindleTurn::Stopped)),
-    m(0, Function::Pause, M::Pause(StopKind::Always)),
-    m(1, Function::Pause, M::Pause(StopKind::Optional)),
+    m(3, Function::Spindle, M::Spindle(SpindleTurn::Forward)).means(Role::SpindleForward),
+    m(4, Function::Spindle, M::Spindle(SpindleTurn::Reverse)).means(Role::SpindleReverse),
+    m(5, Function::Spindle, M::Spindle(SpindleTurn::Stopped)).means(Role::SpindleStop),
+    m(0, Function::Pause, M::Pause(StopKind::Always)).means(Role::ProgramStop),
+    m(1, Function::Pause, M::Pause(StopKind::Optional)).means(Role::OptionalStop),
     m(2, Function::End, M::End),
     m(30, Function::End, M::End),
     m(98, Function::Call, M::Call),
     m(97, Function::LocalCall, M::LocalCall),
     m(198, Function::CardCall, M::Call),
     m(99, Function::Return, M::Return),
-    m(6, Function::ToolChange, M::Idle),
-    m(7, Function::Coolant, M::Idle),
-    m(8, Function::Coolant, M::Idle),
-    m(9, Function::Coolant, M::Idle),
-    m(10, Function::Chuck, M::Idle),
-    m(11, Function::Chuck, M::Idle),
-    m(68, Function::Chuck, M::Idle),
-    m(69, Function::Chuck, M::Idle),
-    m(13, Function::LiveTool, M::LiveTool),
-    m(14, Function::LiveTool, M::LiveTool),
-    m(19, Function::Orientation, M::Orientation),
-    m(20, Function::Orientation, M::Idle),
-    m(23, Function::ThreadPullOut, M::ThreadPullOut(Switch::On)),
-    m(24, Function::ThreadPullOut, M::ThreadPullOut(Switch::Off)),
-    m(25, Function::Tailstock, M::Quill(Quill::Forward)),
-    m(26, Function::Tailstock, M::Quill(Quill::Back)),
+    m(6, Function::ToolChange, M::Idle).means(Role::ToolChange),
+    m(7, Function::Coolant, M::Idle).means(Role::CoolantOn),
+    m(8, Function::Coolant, M::Idle).means(Role::CoolantOn),
+    m(9, Function::Coolant, M::Idle).means(Role::CoolantOff),
+    m(10, Function::Chuck, M::Idle).means(Role::ChuckClamp),
+    m(11, Function::Chuck, M::Idle).means(Role::ChuckUnclamp),
+    m(68, Function::Chuck, M::Idle).means(Role::ChuckClamp),
+    m(69, Function::Chuck, M::Idle).means(Role::ChuckUnclamp),
+    m(13, Function::LiveTool, M::LiveTool).means(Role::LiveToolForward),
+    m(14, Function::LiveTool, M::LiveTool).means(Role::LiveToolReverse),
+    m(19, Function::Orientation, M::Orientation).means(Role::FirstOrientation),
+    m(20, Function::Orientation, M::Idle).means(Role::SecondOrientation),
+    m(23, Function::ThreadPullOut, M::ThreadPullOut(Switch::On)).means(Role::PullOutOn),
+    m(24, Function::ThreadPullOut, M::ThreadPullOut(Switch::Off)).means(Role::PullOutOff),
+    m(25, Function::Tailstock, M::Quill(Quill::Forward)).means(Role::TailstockForward),
+    m(26, Function::Tailstock, M::Quill(Quill::Back)).means(Role::TailstockBack),
     m(29, Function::RigidTapping, M::Idle),
     m(40, Function::Gear, M::Idle),
     m(41, Function::Gear, M::Idle),
     m(42, Function::Gear, M::Idle),
     m(43, Function::Gear, M::Idle),
     m(44, Function::Gear, M::Idle),
-    m(45, Function::CAxis, M::CAxis(Switch::On)),
-    m(46, Function::CAxis, M::CAxis(Switch::Off)),
-    m(90, Function::Synchronous, M::Idle),
-    m(91, Function::Synchronous, M::Idle),
-    m(200, Function::Conveyor, M::Idle),
-    m(201, Function::Conveyor, M::Idle),
-    m(712, Function::Interlock, M::Idle),
-    m(713, Function::Interlock, M::Idle),
+    m(45, Function::CAxis, M::CAxis(Switch::On)).means(Role::CAxisOn),
+    m(46, Function::CAxis, M::CAxis(Switch::Off)).means(Role::CAxisOff),
+    m(90, Function::Synchronous, M::Idle).means(Role::SynchronousOn),
+    m(91, Function::Synchronous, M::Idle).means(Role::SynchronousOff),
+    m(200, Function::Conveyor, M::Idle).means(Role::ConveyorForward),
+    m(201, Function::Conveyor, M::Idle).means(Role::ConveyorStop),
+    m(712, Function::Interlock, M::Idle).means(Role::InterlockOff),
+    m(713, Function::Interlock, M::Idle).means(Role::InterlockOn),
     m(12, Function::OtherMachine, M::Idle),
 ];
 
@@ -464,6 +468,23 @@ impl GCode {
     pub fn function(&self) -> Function {
         self.function
     }
+
+    /// Its meaning, if its row in the table has several codes.
+    pub fn role(&self) -> Option<Role> {
+        self.role
+    }
+
+    const fn means(mut self, role: Role) -> Self {
+        self.role = Some(role);
+        self
+    }
+}
+
+impl MCode {
+    const fn means(mut self, role: Role) -> Self {
+        self.role = Some(role);
+        self
+    }
 }
 
 /// A G code as spelled in a list: `G99`; `None` if the list does not have it.
@@ -486,19 +507,27 @@ pub fn g_codes(list: CodeList) -> impl Iterator<Item = (String, &'static GCode)>
     })
 }
 
-/// The M codes with their numbers.
-pub fn m_codes() -> impl Iterator<Item = (u16, M, Function)> {
-    M_CODES.iter().map(|code| (code.number, code.code, code.function))
+/// An M code as programs write it: `M98`.
+pub fn written_m(code: M) -> Option<String> {
+    let found = M_CODES.iter().find(|other| other.code == code)?;
+    let mut text = String::new();
+    spell(&mut text, 'M', found.number, 0);
+    Some(text)
 }
 
-/// The table row of a G code.
-pub fn function_of(code: G) -> Option<Function> {
-    G_CODES.iter().find(|other| other.code == code).map(|found| found.function)
+/// The M codes with their numbers, and their meaning if their row in the table has several codes.
+pub fn m_codes() -> impl Iterator<Item = (u16, M, Function, Option<Role>)> {
+    M_CODES.iter().map(|code| (code.number, code.code, code.function, code.role))
 }
 
-/// The table row of an M code.
-pub fn m_function(number: u64) -> Option<Function> {
-    m_row(number).map(|row| row.function)
+/// The table row of a G code, and its meaning if the row has several codes.
+pub fn function_of(code: G) -> Option<(Function, Option<Role>)> {
+    G_CODES.iter().find(|other| other.code == code).map(|found| (found.function, found.role))
+}
+
+/// The table row of an M code, and its meaning if the row has several codes.
+pub fn m_function(number: u64) -> Option<(Function, Option<Role>)> {
+    m_row(number).map(|row| (row.function, row.role))
 }
 
 /// The M code of a number; `None` for a machine-specific code.
