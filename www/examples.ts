@@ -7,14 +7,14 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Plugin } from 'vite';
-import { smallPicture, type SmallPicture } from './small-picture';
+import { smallPictureFromJsonLines, type SmallPicture } from './small-picture';
 
 const PROGRAMS = join(import.meta.dirname, '../tests/programs');
 const LANGUAGES = ['en', 'zh', 'ru'] as const;
 
 type Translated = Readonly<Record<(typeof LANGUAGES)[number], string>>;
 
-interface About {
+interface ExampleDescription {
   readonly title: Translated;
   readonly shows: Translated;
   readonly added?: string;
@@ -31,18 +31,18 @@ function read(...path: string[]): string {
 }
 
 /** All files, by name. */
-function files(): Map<string, string> {
+function buildFiles(): Map<string, string> {
   const files = new Map<string, string>();
   const pictures = new Map<string, SmallPicture | undefined>();
   const subjects = JSON.parse(read('gallery.json')) as readonly Subject[];
-  const abouts = new Map<string, About>();
+  const descriptions = new Map<string, ExampleDescription>();
   for (const id of subjects.flatMap(({ programs }) => programs)) {
-    const about = JSON.parse(read(id, 'about.json')) as About;
-    abouts.set(id, about);
-    pictures.set(id, smallPicture(read(id, 'output.jsonl')));
+    const description = JSON.parse(read(id, 'about.json')) as ExampleDescription;
+    descriptions.set(id, description);
+    pictures.set(id, smallPictureFromJsonLines(read(id, 'output.jsonl')));
     files.set(
       `examples/${id}.json`,
-      JSON.stringify({ ...example(about), program: read(id, 'program.nc'), setup: read(id, 'setup.json') }),
+      JSON.stringify({ ...shownFields(description), program: read(id, 'program.nc'), setup: read(id, 'setup.json') }),
     );
   }
   for (const language of LANGUAGES) {
@@ -50,9 +50,9 @@ function files(): Map<string, string> {
       subject: subject[language],
       examples: programs.map((id) => ({
         id,
-        title: abouts.get(id)?.title[language],
-        shows: abouts.get(id)?.shows[language],
-        codes: codes(read(id, 'program.nc')),
+        title: descriptions.get(id)?.title[language],
+        shows: descriptions.get(id)?.shows[language],
+        codes: extractCodes(read(id, 'program.nc')),
         picture: pictures.get(id),
       })),
     }));
@@ -62,7 +62,7 @@ function files(): Map<string, string> {
 }
 
 /** The fields of `about.json` that the page shows. */
-function example({ title, shows, added, compareWith }: About): object {
+function shownFields({ title, shows, added, compareWith }: ExampleDescription): object {
   return {
     title,
     shows,
@@ -72,7 +72,7 @@ function example({ title, shows, added, compareWith }: About): object {
 }
 
 /** The search terms of a program: each G, M and T word once. */
-function codes(program: string): string {
+function extractCodes(program: string): string {
   const written =
     program
       .replace(/\([^)]*\)/g, '')
@@ -84,11 +84,11 @@ function codes(program: string): string {
 export const examples: Plugin = {
   name: 'examples',
   generateBundle() {
-    for (const [fileName, source] of files()) this.emitFile({ type: 'asset', fileName, source });
+    for (const [fileName, source] of buildFiles()) this.emitFile({ type: 'asset', fileName, source });
   },
   configureServer(server) {
     server.middlewares.use((request, response, next) => {
-      const file = files().get((request.url ?? '').split('?')[0]?.slice(1) ?? '');
+      const file = buildFiles().get((request.url ?? '').split('?')[0]?.slice(1) ?? '');
       if (file === undefined) return next();
       response.setHeader('content-type', 'application/json');
       response.end(file);

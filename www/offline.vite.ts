@@ -6,39 +6,39 @@ import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, relative, sep } from 'node:path';
 import { defineConfig, type Plugin } from 'vite';
-import { packOf, type Listed } from './src/offline/list';
+import { packOf, type BuildManifest } from './src/offline/list';
 
 const DIST = join(import.meta.dirname, 'dist');
-const NOT_LISTED = /^(embed\/|offline\/|service-worker\.js$|from-disk\.js$|\.)/;
+const EXCLUDED = /^(embed\/|offline\/|service-worker\.js$|from-disk\.js$|\.)/;
 
-function paths(): string[] {
+function listPaths(): string[] {
   const entries = readdirSync(DIST, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
   const all = entries.map((entry) => relative(DIST, join(entry.parentPath, entry.name)).split(sep).join('/'));
-  return all.filter((path) => !NOT_LISTED.test(path)).sort();
+  return all.filter((path) => !EXCLUDED.test(path)).sort();
 }
 
 const hashOf = (content: string | Buffer): string => createHash('sha256').update(content).digest('hex').slice(0, 32);
 
 /** The list, and the packs that are made for it. */
-function build(): { readonly listed: Listed; readonly packs: ReadonlyMap<string, string> } {
-  const gathered = new Map<string, Record<string, string>>();
+function build(): { readonly manifest: BuildManifest; readonly packs: ReadonlyMap<string, string> } {
+  const pagesByPack = new Map<string, Record<string, string>>();
   const files: Record<string, string> = {};
-  for (const path of paths()) {
+  for (const path of listPaths()) {
     const bytes = readFileSync(join(DIST, path));
     const pack = packOf(path);
     if (pack === undefined) files[path] = hashOf(bytes);
-    else gathered.set(pack, { ...gathered.get(pack), [path]: bytes.toString('utf8') });
+    else pagesByPack.set(pack, { ...pagesByPack.get(pack), [path]: bytes.toString('utf8') });
   }
-  const packs = new Map([...gathered].map(([name, pages]) => [name, JSON.stringify(pages)]));
+  const packs = new Map([...pagesByPack].map(([name, pages]) => [name, JSON.stringify(pages)]));
   for (const [name, text] of packs) files[name] = hashOf(text);
   const entry = /assets\/index-[\w-]+\.js/.exec(readFileSync(join(DIST, 'index.html'), 'utf8'))?.[0];
   if (entry === undefined) throw new Error('index.html names no script');
-  return { listed: { version: hashOf(JSON.stringify(files)), files, entry }, packs };
+  return { manifest: { version: hashOf(JSON.stringify(files)), files, entry }, packs };
 }
 
-const { listed, packs } = build();
+const { manifest, packs } = build();
 
-const emitted: Plugin = {
+const packFiles: Plugin = {
   name: 'packs',
   generateBundle() {
     for (const [fileName, source] of packs) this.emitFile({ type: 'asset', fileName, source });
@@ -46,9 +46,9 @@ const emitted: Plugin = {
 };
 
 export default defineConfig({
-  plugins: [emitted],
+  plugins: [packFiles],
   publicDir: false,
-  define: { LISTED_BY_THE_BUILD: JSON.stringify(listed) },
+  define: { BUILD_MANIFEST: JSON.stringify(manifest) },
   build: {
     target: 'es2022',
     outDir: 'dist',

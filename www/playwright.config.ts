@@ -11,10 +11,10 @@ const SERVER = `http://127.0.0.1:${PORT}/`;
 const executablePath = process.env['PLAYGROUND_CHROMIUM'];
 
 /** Patterns of test files. */
-const files = (...names: string[]): string[] => names.map((name) => `**/${name}.spec.ts`);
+const specFiles = (...names: string[]): string[] => names.map((name) => `**/${name}.spec.ts`);
 
 /** Tests that do not run in every engine; tests/browser/README.md gives the reasons. */
-const CHROMIUM_ONLY = files(
+const CHROMIUM_ONLY = specFiles(
   'accessible',
   'devices',
   'docs',
@@ -33,9 +33,9 @@ const CHROMIUM_ONLY = files(
   'solid',
   'stored',
 );
-const NOT_IN_WEBKIT = files('encodings');
+const NOT_IN_WEBKIT = specFiles('encodings');
 /** Areas in which engines differ: input, storage, canvas, clipboard, worker, layout. */
-const WHERE_ENGINES_DIFFER = files(
+const ENGINE_DEPENDENT = specFiles(
   'completion',
   'embedding',
   'failed-loads',
@@ -49,14 +49,14 @@ const WHERE_ENGINES_DIFFER = files(
   'views',
 );
 /** Their package is built only by `cargo xtask test --all`. */
-const OF_THE_PACKAGE = files('package');
+const PACKAGE_ONLY = specFiles('package');
 
 /** Tests that run only with `cargo xtask test --all`, and tests that otherwise run only in Chromium. */
-const [NIGHT, ONE_ENGINE] = [/@night\b/, /@one-engine\b/];
+const [NIGHTLY, ONE_ENGINE] = [/@night\b/, /@one-engine\b/];
 
-const everywhere = process.env['PLAYGROUND_ALL_ENGINES'] === '1';
-const tested = everywhere ? files('*') : WHERE_ENGINES_DIFFER;
-const leftOut = everywhere ? [] : [NIGHT, ONE_ENGINE];
+const allEngines = process.env['PLAYGROUND_ALL_ENGINES'] === '1';
+const engineTests = allEngines ? specFiles('*') : ENGINE_DEPENDENT;
+const excludedTags = allEngines ? [] : [NIGHTLY, ONE_ENGINE];
 
 export default defineConfig<object, WorkerOptions>({
   testDir: '../tests/browser',
@@ -95,16 +95,22 @@ export default defineConfig<object, WorkerOptions>({
     {
       name: 'chromium',
       use: { engine: 'chromium' },
-      testIgnore: everywhere ? [] : OF_THE_PACKAGE,
-      grepInvert: everywhere ? [] : NIGHT,
+      testIgnore: allEngines ? [] : PACKAGE_ONLY,
+      grepInvert: allEngines ? [] : NIGHTLY,
     },
-    { name: 'firefox', use: { engine: 'firefox' }, testMatch: tested, testIgnore: CHROMIUM_ONLY, grepInvert: leftOut },
+    {
+      name: 'firefox',
+      use: { engine: 'firefox' },
+      testMatch: engineTests,
+      testIgnore: CHROMIUM_ONLY,
+      grepInvert: excludedTags,
+    },
     {
       name: 'webkit',
       use: { engine: 'webkit' },
-      testMatch: tested,
+      testMatch: engineTests,
       testIgnore: [...CHROMIUM_ONLY, ...NOT_IN_WEBKIT],
-      grepInvert: leftOut,
+      grepInvert: excludedTags,
     },
   ],
 });

@@ -7,7 +7,7 @@ export const WIDTH = 240;
 export const HEIGHT = 144;
 const MARGIN = 8;
 /** Most strokes; more would not be legible at this size. */
-const MOST_STROKES = 160;
+const MAX_STROKES = 160;
 
 interface Place {
   readonly x: number;
@@ -36,8 +36,8 @@ interface Stroke {
   readonly points: readonly (readonly [right: number, up: number])[];
 }
 
-export function smallPicture(jsonLines: string): SmallPicture | undefined {
-  return smallPictureOf(
+export function smallPictureFromJsonLines(jsonLines: string): SmallPicture | undefined {
+  return smallPictureFromRows(
     jsonLines
       .split('\n')
       .filter((line) => line !== '')
@@ -45,11 +45,11 @@ export function smallPicture(jsonLines: string): SmallPicture | undefined {
   );
 }
 
-export function smallPictureOf(rows: readonly Row[]): SmallPicture | undefined {
+export function smallPictureFromRows(rows: readonly Row[]): SmallPicture | undefined {
   // Messages follow the motions; their `to` is an offset in the text.
-  const moving = rows.filter((row) => row.kind !== 'dwell' && typeof row.to === 'object');
-  const isFace = moving.some(({ mode }) => mode === 'polar');
-  const strokes = (isFace ? onTheFace(moving) : inSection(moving)).slice(0, MOST_STROKES);
+  const moves = rows.filter((row) => row.kind !== 'dwell' && typeof row.to === 'object');
+  const isFace = moves.some(({ mode }) => mode === 'polar');
+  const strokes = (isFace ? faceStrokes(moves) : sectionStrokes(moves)).slice(0, MAX_STROKES);
   const cut = strokes.filter(({ kind }) => kind === 'cut').flatMap(({ points }) => points);
   if (cut.length === 0) return undefined;
   const [rights, ups] = [cut.map(([right]) => right), cut.map(([, up]) => up)];
@@ -68,38 +68,38 @@ export function smallPictureOf(rows: readonly Row[]): SmallPicture | undefined {
   };
 }
 
-function inSection(rows: readonly Row[]): Stroke[] {
-  return rows.slice(1).flatMap((row, before): Stroke[] => {
-    const from = rows[before]?.to;
+function sectionStrokes(rows: readonly Row[]): Stroke[] {
+  return rows.slice(1).flatMap((row, previous): Stroke[] => {
+    const from = rows[previous]?.to;
     if (from === undefined || row.to === undefined) return [];
     return [
       {
         kind: row.kind === 'rapid' ? 'rapid' : 'cut',
-        points: row.kind === 'arc' ? arc(from, row) : [inMm(from), inMm(row.to)],
+        points: row.kind === 'arc' ? arc(from, row) : [toPoint(from), toPoint(row.to)],
       },
     ];
   });
 }
 
 /** The strokes milled on the end face: X to the right, C up. */
-function onTheFace(rows: readonly Row[]): Stroke[] {
+function faceStrokes(rows: readonly Row[]): Stroke[] {
   const place = ({ x, c }: Place): readonly [number, number] => [x / 2, c ?? 0];
-  return rows.slice(1).flatMap((row, before): Stroke[] => {
-    const from = rows[before]?.to;
+  return rows.slice(1).flatMap((row, previous): Stroke[] => {
+    const from = rows[previous]?.to;
     return row.mode !== 'polar' || from === undefined || row.to === undefined
       ? []
       : [{ kind: 'cut', points: [place(from), place(row.to)] }];
   });
 }
 
-function inMm({ x, z }: Place): readonly [number, number] {
+function toPoint({ x, z }: Place): readonly [number, number] {
   return [z, x / 2];
 }
 
 /** An arc as chords of about ten degrees. */
 function arc(from: Place, { to, center, dir }: Row): readonly (readonly [number, number])[] {
   if (to === undefined || center === undefined) return [];
-  const [[ax, ay], [bx, by], [mx, my]] = [inMm(from), inMm(to), inMm(center)];
+  const [[ax, ay], [bx, by], [mx, my]] = [toPoint(from), toPoint(to), toPoint(center)];
   const radius = Math.hypot(ax - mx, ay - my);
   const start = Math.atan2(ay - my, ax - mx);
   const turn = 2 * Math.PI;
@@ -120,7 +120,7 @@ function path(
   px: (value: number) => number,
   py: (value: number) => number,
 ): string {
-  const drawn = new Set<string>();
+  const drawnKeys = new Set<string>();
   let text = '';
   let pen = '';
   for (const stroke of strokes) {
@@ -132,8 +132,8 @@ function path(
       if ([from, to].some(([x, y]) => Math.abs(x) > 10 * WIDTH || Math.abs(y) > 10 * HEIGHT)) continue;
       const ends = [from.join(' '), to.join(' ')];
       const key = ends.toSorted().join(' ');
-      if (drawn.has(key)) continue;
-      drawn.add(key);
+      if (drawnKeys.has(key)) continue;
+      drawnKeys.add(key);
       text += `${pen === ends[0] ? 'L' : `M${ends[0]}L`}${ends[1]}`;
       pen = ends[1] ?? '';
     }

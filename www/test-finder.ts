@@ -3,21 +3,21 @@
 import { build } from 'vite';
 import { fileURLToPath } from 'node:url';
 
-const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+const resolvePath = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
-export default async function finder(): Promise<void> {
+export default async function buildFinder(): Promise<void> {
   await build({
     configFile: false,
     logLevel: 'warn',
-    root: here('.'),
+    root: resolvePath('.'),
     publicDir: false,
-    resolve: { alias: { 'dom-accessibility-api': here('node_modules/dom-accessibility-api/dist/index.mjs') } },
+    resolve: { alias: { 'dom-accessibility-api': resolvePath('node_modules/dom-accessibility-api/dist/index.mjs') } },
     build: {
       target: 'es2022',
-      outDir: here('test-build'),
+      outDir: resolvePath('test-build'),
       minify: true,
       lib: {
-        entry: here('../tests/browser/engines/finder.ts'),
+        entry: resolvePath('../tests/browser/engines/finder.ts'),
         formats: ['iife'],
         name: 'finder',
         fileName: () => 'finder.js',

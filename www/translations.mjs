@@ -42,7 +42,7 @@ export function tables(code) {
 }
 
 let count = 0;
-let lacking = 0;
+let missingCount = 0;
 for (const entry of readdirSync(join(ROOT, 'src'), { recursive: true, withFileTypes: true })) {
   if (!entry.isFile() || !entry.name.endsWith('.ts')) continue;
   const file = join(entry.parentPath, entry.name);
@@ -53,7 +53,7 @@ for (const entry of readdirSync(join(ROOT, 'src'), { recursive: true, withFileTy
     count++;
     for (const language of LANGUAGES) {
       for (const name of missing(english, table.get(language))) {
-        lacking++;
+        missingCount++;
         console.log(`www/${relative(ROOT, file)}: ${[language, name].filter((part) => part !== '').join('.')}`);
       }
     }
@@ -61,4 +61,4 @@ for (const entry of readdirSync(join(ROOT, 'src'), { recursive: true, withFileTy
 }
 // Guards against a parser that finds no tables.
 if (count < 40) throw new Error(`only ${count} tables of words were found`);
-process.exitCode = lacking > 0 ? MISSING : 0;
+process.exitCode = missingCount > 0 ? MISSING : 0;

@@ -56,8 +56,8 @@ const foreignPage: Plugin = {
  * `cargo xtask play`: serves the rule pages and the reference from another folder, and reloads the page when there is a
  * new interpreter module.
  */
-const atWork: Plugin = {
-  name: 'at-work',
+const developmentServer: Plugin = {
+  name: 'development-server',
   configureServer({ middlewares, watcher, ws }) {
     const folder = process.env['PLAYGROUND_DOCUMENTS'];
     // The server ends with the command that started it, which holds the other end of the pipe.
@@ -94,7 +94,7 @@ function isPreloaded(file: string, host: string): boolean {
 export default defineConfig({
   base: './',
   define: { PLAYGROUND_VERSION: JSON.stringify(version) },
-  plugins: [preloads, examples, installable, compiledEarly, policy, foreignPage, atWork],
+  plugins: [preloads, examples, installable, compiledEarly, policy, foreignPage, developmentServer],
   build: {
     target: 'es2022',
     outDir: 'dist',

@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
-import { linkOf, NOTHING_SAID } from '../../www/src/files/shared-link';
+import { makeLink, EMPTY_SHARED } from '../../www/src/files/shared-link';
 import { manual, openHtml, settled } from './embedded';
 import { open, type } from './page';
 
@@ -35,7 +35,7 @@ async function violations(page: ChromiumPage, where: string): Promise<string[]> 
 /** A link to a task, or to an answer to it. */
 async function linked(what: 'task' | 'answer'): Promise<string> {
   const extra = what === 'task' ? { task: { sentence: 'Turn the shoulder', solution: PROGRAM } } : { name: 'Anna' };
-  const made = await linkOf({ ...NOTHING_SAID, text: 'G00 X52 Z2\n', ...extra });
+  const made = await makeLink({ ...EMPTY_SHARED, text: 'G00 X52 Z2\n', ...extra });
   return made.kind === 'link' ? made.link : '';
 }
 

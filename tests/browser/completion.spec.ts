@@ -57,7 +57,7 @@ chromiumTest('the list opens even if another letter is typed while a request is 
     `
     let first;
     self.addEventListener('message', ({ data }) => {
-      if (data?.what?.kind === 'question' && data.what.ask?.by === 'completion') first ??= data.what.id;
+      if (data?.content?.kind === 'question' && data.content.args?.by === 'completion') first ??= data.content.id;
       self.isAsked = first !== undefined;
     });
     const post = self.postMessage.bind(self);

@@ -4,10 +4,16 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { deflateRawSync } from 'node:zlib';
 import { LINK_LIMIT } from '../../www/src/files/link-limit';
-import { linkOf as made, NOTHING_SAID, openedLink, type LinkFault, type Shared } from '../../www/src/files/shared-link';
+import {
+  makeLink as made,
+  EMPTY_SHARED,
+  parseLink,
+  type LinkFault,
+  type Shared,
+} from '../../www/src/files/shared-link';
 import { UNPACKED_LIMIT } from '../../www/src/files/packed-text';
-import { writtenLink } from '../../www/src/files/written-link';
-import { inAddress as inPage, type InAddress } from '../../www/src/page/linked';
+import { plainTextLink } from '../../www/src/files/plain-text-link';
+import { parseAddress as parseInPage, type AddressContent } from '../../www/src/page/linked';
 import { chromiumTest as test, expect } from './engines';
 import { random, randomShared, randomText, storedLinks, wellFormed } from './links';
 
@@ -22,9 +28,9 @@ function read(path: string): string | null {
 }
 
 /** Like the page, which loads the decompression when it is first needed. */
-async function inAddress(hash: string): Promise<InAddress> {
-  if (!hash.startsWith('#share=')) return inPage(hash);
-  const opened = await openedLink(hash);
+async function parseAddress(hash: string): Promise<AddressContent> {
+  if (!hash.startsWith('#share=')) return parseInPage(hash);
+  const opened = await parseLink(hash);
   return opened.kind === 'shared' ? { kind: 'linked', linked: opened.shared } : opened;
 }
 
@@ -35,13 +41,13 @@ async function linkOf(shared: Shared): Promise<string> {
 }
 
 async function opened(hash: string): Promise<Shared> {
-  const found = await inAddress(hash);
+  const found = await parseAddress(hash);
   if (found.kind !== 'linked') throw new Error(`${hash.slice(0, 80)}: ${JSON.stringify(found)}`);
   return found.linked;
 }
 
 async function faultOf(hash: string): Promise<LinkFault['kind'] | 'not-loaded' | 'none'> {
-  const found = await inAddress(hash);
+  const found = await parseAddress(hash);
   return found.kind === 'fault' ? found.fault.kind : 'none';
 }
 
@@ -61,7 +67,7 @@ const packedJson = (value: unknown): string =>
 test('every stored link still opens the same content', async () => {
   const stored = storedLinks();
   expect(new Set(stored.map(({ version }) => version))).toEqual(new Set([0, 1]));
-  for (const { what, link, opens } of stored) expect(await opened(link), what).toEqual({ ...NOTHING_SAID, ...opens });
+  for (const { what, link, opens } of stored) expect(await opened(link), what).toEqual({ ...EMPTY_SHARED, ...opens });
 });
 
 test('a link to each program of the tests is at most 300 characters longer than its text, and opens it', async () => {
@@ -71,7 +77,7 @@ test('a link to each program of the tests is at most 300 characters longer than 
     if (text === null) continue;
     count++;
     const shared: Shared = {
-      ...NOTHING_SAID,
+      ...EMPTY_SHARED,
       text,
       setup: read(join(id, 'setup.json')),
       control: 'fanuc',
@@ -93,7 +99,7 @@ test('a link to random G-code characters is at most 300 characters longer than t
     const letters = '0123456789.-+ABCDFGHIJKLMNOPQRSTUVWXYZ #[]()/=*;%\n';
     const text = Array.from({ length }, () => letters[Math.floor(next() * letters.length)]).join('');
     const shared = {
-      ...NOTHING_SAID,
+      ...EMPTY_SHARED,
       text,
       control: 'gsk',
       language: 'zh',
@@ -125,12 +131,12 @@ test('a plain-text URL survives the round trip', async () => {
     ) as Shared;
     const { text, setup, control, blockSkip, language, view, step, readonly } = shared;
     const inPlainText = { text, setup, control, blockSkip, program: null, language, view, step, readonly };
-    expect(await opened(`#${writtenLink(inPlainText)}`)).toEqual({ ...NOTHING_SAID, ...inPlainText });
+    expect(await opened(`#${plainTextLink(inPlainText)}`)).toEqual({ ...EMPTY_SHARED, ...inPlainText });
   }
 });
 
 test('line breaks and a full stop that mail programs add to a link are ignored', async () => {
-  const shared = { ...NOTHING_SAID, text: randomText(random(3), 400) };
+  const shared = { ...EMPTY_SHARED, text: randomText(random(3), 400) };
   const link = await linkOf(shared);
   for (const changed of [
     `${link}.`,
@@ -147,7 +153,7 @@ test('a truncated link is reported, with the number of missing characters', asyn
   for (const { link, version } of storedLinks()) {
     if (version === 0) continue;
     for (let length = '#share='.length; length < link.length; length++) {
-      const found = await inAddress(link.slice(0, length));
+      const found = await parseAddress(link.slice(0, length));
       expect(found, link.slice(0, length)).toMatchObject({ kind: 'fault', fault: { kind: 'cut' } });
       const missing = found.kind === 'fault' && found.fault.kind === 'cut' ? found.fault.missing : undefined;
       if (missing !== undefined) expect(missing).toBe(link.length - length);
@@ -237,8 +243,8 @@ test('hostile links are refused: wrong types, missing fields, no JSON, no stream
 
 test('a name of 80 characters survives the round trip', async () => {
   for (const name of ['Anna', '李'.repeat(80), '<img src=x onerror=alert(1)>', '\u202e\n'])
-    expect(await opened(await linkOf({ ...NOTHING_SAID, text: 'G0 X1', name }))).toEqual({
-      ...NOTHING_SAID,
+    expect(await opened(await linkOf({ ...EMPTY_SHARED, text: 'G0 X1', name }))).toEqual({
+      ...EMPTY_SHARED,
       text: 'G0 X1',
       name,
     });
@@ -256,13 +262,13 @@ test('decompression of a small link stops at the size limit', async () => {
 test('a link that could not be opened is not created', async () => {
   const next = random(17);
   const noise = Array.from({ length: 1_200_000 }, () => String.fromCharCode(33 + Math.floor(next() * 90))).join('');
-  expect(await made({ ...NOTHING_SAID, text: noise })).toMatchObject({ kind: 'too-long', limit: LINK_LIMIT });
-  expect(await made({ ...NOTHING_SAID, text: 'G1 X1\n'.repeat(600_000) })).toMatchObject({
+  expect(await made({ ...EMPTY_SHARED, text: noise })).toMatchObject({ kind: 'too-long', limit: LINK_LIMIT });
+  expect(await made({ ...EMPTY_SHARED, text: 'G1 X1\n'.repeat(600_000) })).toMatchObject({
     kind: 'too-long',
     limit: UNPACKED_LIMIT,
   });
   const long = 'G1 X1\n'.repeat(500_000);
-  expect((await opened(await linkOf({ ...NOTHING_SAID, text: long }))).text).toBe(long);
+  expect((await opened(await linkOf({ ...EMPTY_SHARED, text: long }))).text).toBe(long);
 });
 
 test('a URL of two million characters is rejected without parsing', async () => {
@@ -274,6 +280,6 @@ test('a URL of two million characters is rejected without parsing', async () => 
   ]) {
     expect(await faultOf(hash)).toBe('too-long');
   }
-  const opened = await openedLink(`#share=1.${'A'.repeat(2_000_000)}`);
+  const opened = await parseLink(`#share=1.${'A'.repeat(2_000_000)}`);
   expect(opened).toMatchObject({ kind: 'fault', fault: { limit: LINK_LIMIT } });
 });

@@ -41,7 +41,7 @@ async function watch(page: ChromiumPage): Promise<void> {
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
       const { kind, run, text } =
-        (message as { what?: { kind?: string; run?: number; text?: { kind: string } } }).what ?? {};
+        (message as { content?: { kind?: string; run?: number; text?: { kind: string } } }).content ?? {};
       const sent = performance.now();
       if (kind === 'run' && text?.kind === 'edit') {
         const onMessage = ({ data: { event } }: MessageEvent<{ event?: { kind: string; run: number } }>): void => {

@@ -29,7 +29,7 @@ test.beforeAll(async () => {
 /** Ages of the retained states, if there is one state every `apart` up to `oldest`. */
 function keptAges(apart: number, oldest: number): number[] {
   const states = Array.from({ length: Math.floor(oldest / apart) }, (_, i) => ({ time: NOW - i * apart, length: 10 }));
-  const gone = new Set(rules.superfluous(states, NOW));
+  const gone = new Set(rules.statesToDelete(states, NOW));
   return states.filter((state) => !gone.has(state)).map(({ time }) => NOW - time);
 }
 
@@ -46,18 +46,18 @@ test('all states of the last ten minutes are kept, then one per ten minutes of a
 
 test('at most a hundred states and a limited number of characters are kept, and the newest have priority', () => {
   const states = Array.from({ length: 500 }, (_, i) => ({ time: NOW - i * SECOND, length: 10 }));
-  const left = states.filter((state) => !rules.superfluous(states, NOW).includes(state));
+  const left = states.filter((state) => !rules.statesToDelete(states, NOW).includes(state));
   expect(left).toEqual(states.slice(0, rules.LIMITS.states));
   expect(rules.LIMITS.states).toBe(100);
   const long = states.slice(0, 10).map((state) => ({ ...state, length: rules.LIMITS.stateUnits / 4 }));
-  expect(long.filter((state) => !rules.superfluous(long, NOW).includes(state))).toEqual(long.slice(0, 4));
+  expect(long.filter((state) => !rules.statesToDelete(long, NOW).includes(state))).toEqual(long.slice(0, 4));
 });
 
 test('a text becomes a new state when the last one is 15 seconds old', () => {
-  expect(rules.isWorthAState([], NOW)).toBe(true);
-  expect(rules.isWorthAState([{ time: NOW - 14 * SECOND, length: 1 }], NOW)).toBe(false);
+  expect(rules.shouldKeepState([], NOW)).toBe(true);
+  expect(rules.shouldKeepState([{ time: NOW - 14 * SECOND, length: 1 }], NOW)).toBe(false);
   expect(
-    rules.isWorthAState(
+    rules.shouldKeepState(
       [
         { time: NOW - 15 * SECOND, length: 1 },
         { time: NOW - DAY, length: 1 },
@@ -80,7 +80,7 @@ test('a program is named after its file, its example, its number and comment, or
   expect(name('\n  G00 X1  \nG1')).toBe('G00 X1');
   expect(name(' \n')).toBe('');
   expect([...name(`(${'長'.repeat(500)})`)]).toHaveLength(rules.LIMITS.name);
-  expect(rules.nameBeside('Shaft (2)', ['Shaft', 'Shaft (2)'])).toBe('Shaft (3)');
+  expect(rules.uniqueName('Shaft (2)', ['Shaft', 'Shaft (2)'])).toBe('Shaft (3)');
 });
 
 /** A value of each JSON type. */
@@ -96,16 +96,16 @@ test('stored values of any type are read without an exception, and values of a w
     ]) {
       localStorage.setItem(key, JSON.stringify(of) ?? 'undefined');
       expect(
-        () => [storage.choices(), storage.lastEntry(), storage.journal()],
+        () => [storage.readChoices(), storage.readLastEntry(), storage.readJournal()],
         `${key} ${JSON.stringify(of)}`,
       ).not.toThrow();
     }
     for (const field of ['language', 'theme', 'hints', 'split', 'textSize']) {
       localStorage.setItem('gcode-playground:choices', JSON.stringify({ [field]: of }));
-      expect(storage.choices()).toEqual(typeof of === 'string' ? { [field]: of } : {});
+      expect(storage.readChoices()).toEqual(typeof of === 'string' ? { [field]: of } : {});
     }
     for (const field of ['text', 'example', 'control', 'file', 'setup', 'blockSkip', 'program']) {
-      const read = storage.programIn({ ...PROGRAM, [field]: of });
+      const read = storage.parseProgram({ ...PROGRAM, [field]: of });
       for (const [name, value] of Object.entries(read ?? {}))
         expect(typeof value, `${name} of ${JSON.stringify(of)}`).toBe(name === 'file' ? 'object' : 'string');
     }
@@ -122,7 +122,7 @@ test('stored values of any type are read without an exception, and values of a w
       'words',
       'picture',
     ]) {
-      const read = rules.listedIn({ id: '0123456789abcdef', [field]: of });
+      const read = rules.parseRow({ id: '0123456789abcdef', [field]: of });
       for (const [name, value] of Object.entries(read ?? {}))
         expect(typeof value).toBe(
           ['id', 'name', 'namedBy', 'tab', 'words'].includes(name)
@@ -143,12 +143,12 @@ test('stored values of any type are read without an exception, and values of a w
         states: [{ time: 1, program: PROGRAM }],
         [field]: of,
       };
-      const read = rules.readFile(
+      const read = rules.parseExportFile(
         JSON.stringify({ format: 'gcode-playground programs', version: 1, programs: [filed] }),
       );
       expect(read.kind).toBe('programs');
     }
-    expect(rules.readFile(JSON.stringify(of) ?? '').kind).toBe('another-format');
+    expect(rules.parseExportFile(JSON.stringify(of) ?? '').kind).toBe('another-format');
   }
 });
 
@@ -162,9 +162,9 @@ test('a program from a file is added beside one with the same id and another tex
     program: PROGRAM,
     states: [],
   } as const;
-  expect(rules.importAs(filed, undefined)).toBe('new');
-  expect(rules.importAs(filed, { ...PROGRAM })).toBe('there-already');
-  expect(rules.importAs(filed, { ...PROGRAM, control: 'gsk' })).toBe('beside');
-  const back = rules.readFile(rules.fileOf([filed]));
+  expect(rules.importMode(filed, undefined)).toBe('new');
+  expect(rules.importMode(filed, { ...PROGRAM })).toBe('duplicate');
+  expect(rules.importMode(filed, { ...PROGRAM, control: 'gsk' })).toBe('copy');
+  const back = rules.parseExportFile(rules.toExportFile([filed]));
   expect(back).toEqual({ kind: 'programs', programs: [filed], unreadable: 0 });
 });

@@ -81,7 +81,7 @@ test('view="picture" draws the program and loads neither the editor nor the pane
   const loaded = await scripts(page);
   expect(loaded).toContain('element');
   // The link to the playground is loaded after the picture, as a small script.
-  expect(loaded.filter((name) => !['element', 'worker', 'open-link', 'written-link'].includes(name))).toEqual([]);
+  expect(loaded.filter((name) => !['element', 'worker', 'open-link', 'plain-text-link'].includes(name))).toEqual([]);
 });
 
 test('view is also a property of the element, and changing it keeps the program', async ({ page }) => {

@@ -265,12 +265,12 @@ chromiumTest('leaving the block during its run shows the current path of the pro
     `
     let held;
     self.addEventListener('message', (event) => {
-      const what = event.data?.what;
-      if (what?.kind === 'run' && self.holdsRuns === true) {
+      const content = event.data?.content;
+      if (content?.kind === 'run' && self.holdsRuns === true) {
         event.stopImmediatePropagation();
         held = event.data;
         self.holdsRuns = false;
-      } else if (what?.kind === 'cursor' && held !== undefined) {
+      } else if (content?.kind === 'cursor' && held !== undefined) {
         const run = held;
         held = undefined;
         // End the first slice immediately.

@@ -4,7 +4,7 @@ import { expect, test, type Locator, type Page } from './engines';
 import { openHtml, programOf, settled } from './embedded';
 import { random, randomState, storedLinks } from './links';
 import { clipboard, editor, open, openFile, type, value } from './page';
-import { linkOf, NOTHING_SAID, openedLink, type Shared } from '../../www/src/files/shared-link';
+import { makeLink, EMPTY_SHARED, parseLink, type Shared } from '../../www/src/files/shared-link';
 
 const OWN = 'O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nX32\nG00 X100 Z100\nM30\n';
 /** Answers of the pupils of a class. */
@@ -72,7 +72,7 @@ async function link(page: Page): Promise<string> {
 const titleOf = (page: Page): Promise<string> => page.evaluate(() => document.title);
 
 async function named(name: string): Promise<string> {
-  const made = await linkOf({ ...NOTHING_SAID, text: OWN, name });
+  const made = await makeLink({ ...EMPTY_SHARED, text: OWN, name });
   return made.kind === 'link' ? made.link : '';
 }
 
@@ -375,7 +375,7 @@ test('a teacher gives a class a task by link, and receives links to the answers'
   await expect(page.getByText('The pupil begins with the solution')).toHaveCount(0);
   await expect.poll(() => output(page).inputValue()).toContain('#share=1.');
   const task = await output(page).inputValue();
-  const made = await openedLink(task.slice(task.indexOf('#')));
+  const made = await parseLink(task.slice(task.indexOf('#')));
   expect(made.kind === 'shared' && made.shared).toMatchObject({
     language: null,
     name: null,
@@ -434,7 +434,7 @@ test('a teacher gives a class a task by link, and receives links to the answers'
     expect(await titleOf(page)).toMatch(new RegExp(`^Anna ${at + 1} · `));
   }
   // Each answer is compared with the solution, in one tab.
-  const solution = await linkOf({ ...NOTHING_SAID, text: OWN, setup: '{"stock":{"diameter":42,"length":60}}' });
+  const solution = await makeLink({ ...EMPTY_SHARED, text: OWN, setup: '{"stock":{"diameter":42,"length":60}}' });
   await openElsewhere(page, solution.kind === 'link' ? solution.link : '');
   await page.getByRole('button', { name: 'Keep this part to compare' }).click();
   for (const [at, same] of [1, 0, 0].entries()) {

@@ -18,7 +18,7 @@ async function listen(page: Page): Promise<() => Promise<Setup>> {
   await page.addInitScript(() => {
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
-      const { setup } = (message as { what?: { setup?: string } }).what ?? {};
+      const { setup } = (message as { content?: { setup?: string } }).content ?? {};
       if (setup !== undefined) Reflect.set(window, 'lastSetup', setup);
       Reflect.apply(post, this, [message, ...rest]);
     };
@@ -124,11 +124,11 @@ test('deleting lines while a long text is still being scanned hides no switch', 
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
       Reflect.apply(post, this, [message, ...rest]);
-      const { session, what } = message as {
+      const { session, content } = message as {
         session?: number;
-        what?: { run?: number; text?: { kind: string; pieces?: string[] } };
+        content?: { run?: number; text?: { kind: string; pieces?: string[] } };
       };
-      const { run, text } = what ?? {};
+      const { run, text } = content ?? {};
       if (text?.kind !== 'text' || (text.pieces?.join('').length ?? 0) < 200_000) return;
       this.addEventListener(
         'message',
@@ -136,10 +136,10 @@ test('deleting lines while a long text is still being scanned hides no switch', 
           if (event?.kind === 'switches') Reflect.set(window, 'switchesTold', event.inText);
         },
       );
-      Reflect.apply(post, this, [{ kind: 'say', session, what: { kind: 'stop' } }]);
+      Reflect.apply(post, this, [{ kind: 'to-session', session, content: { kind: 'stop' } }]);
       const edit = { kind: 'edit', changes: [{ from: 0, to: 99_000, insert: '' }] };
       Reflect.apply(post, this, [
-        { kind: 'say', session, what: { kind: 'run', run, text: edit, tried: [], framing: 'keep' } },
+        { kind: 'to-session', session, content: { kind: 'run', run, text: edit, tried: [], framing: 'keep' } },
       ]);
     };
   });

@@ -156,7 +156,7 @@ function openSession(): void {
   };
   const images: Talk['images'] = new Map();
   let [said, settled] = [0, (): void => undefined];
-  const post = (what: object): void => keptWorker.postMessage({ kind: 'say', session, what });
+  const post = (content: object): void => keptWorker.postMessage({ kind: 'to-session', session, content });
   listeners.add((message) => {
     const {
       kind,
@@ -165,11 +165,11 @@ function openSession(): void {
     } = message as {
       kind: string;
       session: number;
-      event: { kind: string; heard: number; pictures: Record<string, ImageBitmap> };
+      event: { kind: string; received: number; pictures: Record<string, ImageBitmap> };
     };
     if (kind === 'crashed') throw new Error(JSON.stringify(message));
     if (kind !== 'event' || of !== session) return;
-    if (event.kind === 'settled' && event.heard === said) settled();
+    if (event.kind === 'settled' && event.received === said) settled();
     if (event.kind !== 'pictures') return;
     for (const [picture, image] of Object.entries(event.pictures)) {
       const canvas = images.get(picture) ?? document.createElement('canvas');
@@ -234,7 +234,7 @@ async function look({
     setup: undefined,
     text: { kind: 'text', pieces: [text] },
     tried: [],
-    came: 'at-once',
+    changeSource: 'inserted',
     cursor: undefined,
     framing: 'fit',
   });
@@ -251,9 +251,10 @@ async function look({
         ratio * (height - rulers.bottom),
       ).data;
 
-  for (const picture of pictures) await talk.say({ kind: 'picture', picture, what: { kind: 'canvas', size: small } });
+  for (const picture of pictures)
+    await talk.say({ kind: 'picture', picture, command: { kind: 'canvas', size: small } });
   await talk.say({ kind: 'palette', palette });
-  if (part.kept !== undefined) await talk.say(begin(2 * run, part.kept), { kind: 'keep' });
+  if (part.kept !== undefined) await talk.say(begin(2 * run, part.kept), { kind: 'keep-part' });
   await talk.say(begin(2 * run + 1, part.text));
   const seen: Seen[] = [];
   for (const {
@@ -262,7 +263,7 @@ async function look({
     at: [x, y],
     ratio,
   } of part.views) {
-    const change = (what: object): object => ({ kind: 'picture', picture, what });
+    const change = (command: object): object => ({ kind: 'picture', picture, command });
     await talk.say(
       change({ kind: 'resize', size: { ...small, pixelRatio: ratio } }),
       change({ kind: 'fit' }),

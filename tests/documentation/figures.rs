@@ -41,7 +41,7 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "www/docs/sharing.md",
         "longer than 2,000 characters",
-        Held::Stated("www/src/page/share-dialog.ts", "const LONG = 2000;"),
+        Held::Stated("www/src/page/share-dialog.ts", "const LONG_LINK = 2000;"),
     ),
     figure(
         "www/docs/sharing.md",
@@ -56,7 +56,7 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "www/docs/sharing.md",
         "for the last 100 tasks",
-        Held::Stated("www/src/page/storage.ts", "const MOST_WORKS = 100;"),
+        Held::Stated("www/src/page/storage.ts", "const MAX_WORKS = 100;"),
     ),
     figure(
         "www/docs/sharing.md",
@@ -76,7 +76,7 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "README.md",
         "all of it in 20 s",
-        Held::Stated("www/src/panels/playback.ts", "const WHOLE: readonly number[] = [20, 60];"),
+        Held::Stated("www/src/panels/playback.ts", "const WHOLE_PROGRAM_S: readonly number[] = [20, 60];"),
     ),
     figure(
         "CONTRIBUTING.md",

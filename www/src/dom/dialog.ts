@@ -33,7 +33,7 @@ export class Dialog {
   }
 
   /** Sets the heading, and the text of the last button. */
-  name(title: string, close: string): void {
+  setTexts(title: string, close: string): void {
     this.#title.textContent = title;
     this.#close.textContent = close;
   }

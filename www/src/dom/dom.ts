@@ -20,27 +20,27 @@ export function make<K extends keyof HTMLElementTagNameMap>(
 }
 
 /** Shows a text. An unchanged text is not set again, because each change causes a new layout. */
-export function showText(element: HTMLElement, text: string): void {
+export function setText(element: HTMLElement, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
 /** Shows these children in this order. Children that are already in place are not moved. */
-export function arrange(parent: HTMLElement, children: readonly HTMLElement[]): void {
-  const wanted = new Set<Element>(children);
-  for (const child of [...parent.children]) if (!wanted.has(child)) child.remove();
+export function setChildren(parent: HTMLElement, children: readonly HTMLElement[]): void {
+  const kept = new Set<Element>(children);
+  for (const child of [...parent.children]) if (!kept.has(child)) child.remove();
   for (const [at, child] of children.entries()) {
-    const there = parent.children[at];
-    if (there !== child) parent.insertBefore(child, there ?? null);
+    const existing = parent.children[at];
+    if (existing !== child) parent.insertBefore(child, existing ?? null);
   }
 }
 
 /** A shape of an icon: filled if it has no width, otherwise a line of this width; `filled` makes it both. */
-interface IconPiece {
+interface IconShape {
   readonly d: string;
   readonly width?: number;
   readonly filled?: boolean;
   /** Drawn over another shape. */
-  readonly over?: boolean;
+  readonly overlaid?: boolean;
 }
 
 /** The icons: 20 × 20, in the text colour. */
@@ -64,66 +64,66 @@ const ICONS = {
   chevron: [{ d: 'M5 7.5l5 5 5-5', width: 1.8 }],
   error: [
     { d: 'M2.8 10a7.2 7.2 0 1 0 14.4 0 7.2 7.2 0 1 0-14.4 0' },
-    { d: 'M10 6v5M10 13.6v.4', width: 1.9, over: true },
+    { d: 'M10 6v5M10 13.6v.4', width: 1.9, overlaid: true },
   ],
   warning: [
     { d: 'M10 2.8l7.6 13.6H2.4z', width: 1.2, filled: true },
-    { d: 'M10 8v3.6M10 14v.3', width: 1.8, over: true },
+    { d: 'M10 8v3.6M10 14v.3', width: 1.8, overlaid: true },
   ],
   info: [
     { d: 'M2.8 10a7.2 7.2 0 1 0 14.4 0 7.2 7.2 0 1 0-14.4 0' },
-    { d: 'M10 9.4V14M10 6v.3', width: 1.9, over: true },
+    { d: 'M10 9.4V14M10 6v.3', width: 1.9, overlaid: true },
   ],
-} satisfies Readonly<Record<string, readonly IconPiece[]>>;
+} satisfies Readonly<Record<string, readonly IconShape[]>>;
 
 export type IconName = keyof typeof ICONS;
 
 export function icon(name: IconName): HTMLElement {
-  const svg = drawn('svg', { viewBox: '0 0 20 20', width: 20, height: 20 });
-  for (const { d, width, filled, over } of ICONS[name] as readonly IconPiece[]) {
-    const colour = over === true ? 'var(--playground-surface)' : 'currentColor';
+  const svg = makeSvg('svg', { viewBox: '0 0 20 20', width: 20, height: 20 });
+  for (const { d, width, filled, overlaid } of ICONS[name] as readonly IconShape[]) {
+    const colour = overlaid === true ? 'var(--playground-surface)' : 'currentColor';
     const line =
       width === undefined
         ? {}
         : { stroke: colour, 'stroke-width': width, 'stroke-linecap': 'round', 'stroke-linejoin': 'round' };
-    svg.append(drawn('path', { d, fill: width === undefined || filled === true ? colour : 'none', ...line }));
+    svg.append(makeSvg('path', { d, fill: width === undefined || filled === true ? colour : 'none', ...line }));
   }
   return make('span', { className: `icon icon-${name}`, 'aria-hidden': 'true' }, svg);
 }
 
 /** Not from HTML: a page's policy may forbid setting HTML from a script. */
-function drawn(tag: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
+function makeSvg(tag: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   return element;
 }
 
 /** A message of the interpreter; backticks enclose program text. */
-export function prose(text: string): (Node | string)[] {
+export function renderProse(text: string): (Node | string)[] {
   return text.split('`').map((part, i) => (i % 2 === 1 ? make('code', { lang: 'en' }, part) : part));
 }
 
 /** A sentence in which `Z-30` never wraps after its minus sign. */
-export function unbroken(text: string): (Node | string)[] {
+export function renderUnbroken(text: string): (Node | string)[] {
   return text
     .split(/([!-~]*-\d[!-~]*)/)
     .map((part, i) => (i % 2 === 1 ? make('span', { className: 'unbroken' }, part) : part));
 }
 
 /** Gives a button its name for screen readers and its tooltip. */
-export function name(element: HTMLElement, text: string): void {
+export function setAccessibleName(element: HTMLElement, text: string): void {
   element.setAttribute('aria-label', text);
   element.title = text;
 }
 
 /** Returns a function that schedules `work`, at most once per painted frame. */
 export function perFrame(work: () => void): () => void {
-  let wanted = false;
+  let scheduled = false;
   return () => {
-    if (wanted) return;
-    wanted = true;
+    if (scheduled) return;
+    scheduled = true;
     requestAnimationFrame(() => {
-      wanted = false;
+      scheduled = false;
       work();
     });
   };

@@ -3,13 +3,13 @@
 // In: a function that imports a part. Out: the part, immediately or on a later attempt. Must not know: the contents of
 // a part, or the messages about it.
 
-let tries = 0;
+let retryCount = 0;
 
-/** Calls `act` once the network is available again. The returned function cancels it. */
-export function whenOnline(act: () => void): () => void {
-  const waiting = new AbortController();
-  addEventListener('online', act, { once: true, signal: waiting.signal });
-  return () => waiting.abort();
+/** Calls `onOnline` once the network is available again. The returned function cancels it. */
+export function whenOnline(onOnline: () => void): () => void {
+  const abort = new AbortController();
+  addEventListener('online', onOnline, { once: true, signal: abort.signal });
+  return () => abort.abort();
 }
 
 /** Whether the browser knows that there is no network. False does not mean that there is one. */
@@ -21,7 +21,7 @@ export function isOffline(): boolean {
  * Thrown if the browser caches the failed import of a file, and its address cannot be changed because the part imports
  * it.
  */
-export class NeedsReload extends Error {}
+export class ReloadRequiredError extends Error {}
 
 /**
  * Imports a part. After a failure, a later call can succeed, even if the browser caches the failure: Firefox caches
@@ -29,33 +29,33 @@ export class NeedsReload extends Error {}
  *
  * @throws NeedsReload if the failure of a file that the part imports is cached.
  */
-export async function loaded<Part>(load: () => Promise<Part>): Promise<Part> {
+export async function importWithRetry<Part>(load: () => Promise<Part>): Promise<Part> {
   try {
     return await load();
   } catch (error) {
     const failed = addressIn(error);
     if (failed?.endsWith('.css') === true) {
       // The next import of the script succeeds without the style sheet.
-      styles(failed);
+      loadStyleSheet(failed);
       throw error;
     }
     const imported = importIn(load);
     const address = imported && addressOf(imported.file, failed);
     if (address === undefined) throw error;
-    const again = async (): Promise<Part> => {
-      const chunk = (await import(/* @vite-ignore */ `${address}?again=${++tries}`)) as Readonly<
+    const importAgain = async (): Promise<Part> => {
+      const chunk = (await import(/* @vite-ignore */ `${address}?again=${++retryCount}`)) as Readonly<
         Record<string, unknown>
       >;
       return (imported?.member === undefined ? chunk : chunk[imported.member]) as Part;
     };
     try {
-      return await again();
+      return await importAgain();
     } catch (failure) {
-      if (!(await isWhole(address, 'with-imports'))) throw failure;
+      if (!(await isComplete(address, 'with-imports'))) throw failure;
     }
     // The files are available by now: the network may have returned after the import failed.
-    return again().catch(() => {
-      throw new NeedsReload('the page has to be reloaded');
+    return importAgain().catch(() => {
+      throw new ReloadRequiredError('the page has to be reloaded');
     });
   }
 }
@@ -89,7 +89,7 @@ function addressOf(file: string, failed: string | undefined): string | undefined
  * Whether a script, and optionally each script that it imports, can be loaded completely. Refreshes them in the HTTP
  * cache.
  */
-async function isWhole(address: string, which: 'with-imports' | 'alone'): Promise<boolean> {
+async function isComplete(address: string, which: 'with-imports' | 'alone'): Promise<boolean> {
   const text = await fetch(address, { cache: 'reload' }).then(
     (response) => (response.ok ? response.text() : ''),
     () => '',
@@ -100,15 +100,15 @@ async function isWhole(address: string, which: 'with-imports' | 'alone'): Promis
   const imports = [...text.matchAll(/\b(?:from|import)\s*["'](\.[^"']+\.js)["']/g)].map(
     ([, file = '']) => new URL(file, address).href,
   );
-  return (await Promise.all(imports.map((file) => isWhole(file, 'alone')))).every(Boolean);
+  return (await Promise.all(imports.map((file) => isComplete(file, 'alone')))).every(Boolean);
 }
 
 /** Loads a style sheet; after a failure, tries again when the network returns. */
-function styles(address: string): void {
+function loadStyleSheet(address: string): void {
   const link = Object.assign(document.createElement('link'), { rel: 'stylesheet', href: address });
   link.addEventListener('error', () => {
     link.remove();
-    whenOnline(() => styles(address));
+    whenOnline(() => loadStyleSheet(address));
   });
   document.head.append(link);
 }

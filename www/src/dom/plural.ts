@@ -4,7 +4,7 @@
 
 type Forms = Partial<Record<Intl.LDMLPluralRule, string>> & { readonly other: string };
 
-interface Writing {
+interface Formatters {
   readonly rules: Intl.PluralRules;
   readonly numbers: Intl.NumberFormat;
 }
@@ -13,20 +13,20 @@ interface Writing {
  * Formatters by language. Each takes some milliseconds to create, and most users see one language, so they are created
  * on first use.
  */
-const writings = new Map<string, Writing>();
+const formatters = new Map<string, Formatters>();
 
-function writingOf(language: string): Writing {
-  const known = writings.get(language);
-  if (known !== undefined) return known;
-  const made = { rules: new Intl.PluralRules(language), numbers: new Intl.NumberFormat(language) };
-  writings.set(language, made);
-  return made;
+function formattersOf(language: string): Formatters {
+  const cached = formatters.get(language);
+  if (cached !== undefined) return cached;
+  const created = { rules: new Intl.PluralRules(language), numbers: new Intl.NumberFormat(language) };
+  formatters.set(language, created);
+  return created;
 }
 
 /** "42 motions": the number in the format of the language, then the plural form. */
 export function counter(language: string, forms: Forms): (n: number) => string {
   return (n) => {
-    const { rules, numbers } = writingOf(language);
+    const { rules, numbers } = formattersOf(language);
     return `${numbers.format(n)} ${forms[rules.select(n)] ?? forms.other}`;
   };
 }

@@ -8,10 +8,10 @@ import type { Language } from './language';
 export type Words<W> = Readonly<Record<Language, W>>;
 
 /** A table in which texts may be missing. */
-type Partly<W> = W extends readonly unknown[] | ((...given: never[]) => unknown)
+type DeepPartial<W> = W extends readonly unknown[] | ((...given: never[]) => unknown)
   ? W
   : W extends object
-    ? { readonly [K in keyof W]?: Partly<W[K]> }
+    ? { readonly [K in keyof W]?: DeepPartial<W[K]> }
     : W;
 
 /**
@@ -19,18 +19,19 @@ type Partly<W> = W extends readonly unknown[] | ((...given: never[]) => unknown)
  * `cargo xtask translations` lists it.
  */
 export function words<W>(
-  all: { readonly en: W } & Readonly<Partial<Record<Exclude<Language, 'en'>, Partly<NoInfer<W>>>>>,
+  all: { readonly en: W } & Readonly<Partial<Record<Exclude<Language, 'en'>, DeepPartial<NoInfer<W>>>>>,
 ): Words<W> {
-  return { en: all.en, zh: filled(all.en, all.zh), ru: filled(all.en, all.ru) };
+  return { en: all.en, zh: withFallback(all.en, all.zh), ru: withFallback(all.en, all.ru) };
 }
 
-function filled<W>(english: W, own: Partly<NoInfer<W>> | undefined): W {
-  if (own === undefined) return english;
-  if (typeof english !== 'object' || english === null || Array.isArray(english)) return own as W;
-  const whole = Object.entries(english).map(
-    ([name, text]) => [name, filled<unknown>(text, (own as Readonly<Record<string, unknown>>)[name])] as const,
+function withFallback<W>(english: W, translated: DeepPartial<NoInfer<W>> | undefined): W {
+  if (translated === undefined) return english;
+  if (typeof english !== 'object' || english === null || Array.isArray(english)) return translated as W;
+  const entries = Object.entries(english).map(
+    ([name, text]) =>
+      [name, withFallback<unknown>(text, (translated as Readonly<Record<string, unknown>>)[name])] as const,
   );
-  return Object.fromEntries(whole) as W;
+  return Object.fromEntries(entries) as W;
 }
 
 export const COMMON = words({

@@ -16,33 +16,34 @@ import {
 import { gutterLineClass, GutterMarker, lineNumbers, type EditorView } from '@codemirror/view';
 
 /** Maximum number; every frame of the playback searches them. */
-const MOST = 50;
+const MAX_BREAKPOINTS = 50;
 
 /** Toggles the breakpoint of the line that starts at an offset. */
 const toggle = StateEffect.define<number>();
 
-class Marked extends GutterMarker {
+class BreakpointMarker extends GutterMarker {
   override elementClass = 'cm-breakpoint';
 }
 
-const MARKED = new Marked();
+const BREAKPOINT = new BreakpointMarker();
 
 /** The start offsets of the lines with breakpoints, sorted. */
 const lines = StateField.define<readonly number[]>({
   create: () => [],
   update(before, { changes, docChanged, effects, newDoc }) {
-    let now = docChanged ? moved(before, changes, newDoc) : before;
+    let now = docChanged ? mapOffsets(before, changes, newDoc) : before;
     for (const effect of effects) {
       if (!effect.is(toggle)) continue;
       const others = now.filter((at) => at !== effect.value);
-      now = others.length < now.length ? others : [...now, effect.value].sort((a, b) => a - b).slice(0, MOST);
+      now =
+        others.length < now.length ? others : [...now, effect.value].sort((a, b) => a - b).slice(0, MAX_BREAKPOINTS);
     }
     return now;
   },
-  provide: (field) => gutterLineClass.from(field, (starts) => RangeSet.of(starts.map((at) => MARKED.range(at)))),
+  provide: (field) => gutterLineClass.from(field, (starts) => RangeSet.of(starts.map((at) => BREAKPOINT.range(at)))),
 });
 
-function moved(before: readonly number[], changes: ChangeDesc, doc: Text): readonly number[] {
+function mapOffsets(before: readonly number[], changes: ChangeDesc, doc: Text): readonly number[] {
   const places = before.map((at) => changes.mapPos(at, 1, MapMode.TrackDel)).filter((at): at is number => at !== null);
   return [...new Set(places.map((at) => doc.lineAt(at).from))];
 }

@@ -38,7 +38,7 @@ export class CodeView {
   }
 
   /** Call when the container has become visible. */
-  opened(): void {
+  onVisible(): void {
     this.#view.requestMeasure();
     this.#view.focus();
   }

@@ -27,26 +27,26 @@ import {
 import { Prec, type Extension } from '@codemirror/state';
 import { EditorView, keymap, ViewPlugin, type Command, type KeyBinding, type ViewUpdate } from '@codemirror/view';
 import type { CompletionItem } from '../protocol/protocol';
-import { completes } from './completes';
-import type { EditorEvents } from './holder';
+import { isCompletionEnabled } from './completion-setting';
+import type { EditorEvents } from './text-store';
 import { rem } from './theme';
 
 /** Timeout for an update of the list, ms; then it is closed. */
-const LONGEST_WAIT_MS = 1000;
+const MAX_WAIT_MS = 1000;
 
 export function completion(events: EditorEvents): Extension {
   const source = async (context: CompletionContext): Promise<CompletionResult | null> => {
-    if (!context.explicit && !completes()) return null;
+    if (!context.explicit && !isCompletionEnabled()) return null;
     const found = await events.completionAt(context.pos, context.explicit);
     // If the text has changed meanwhile, return an empty list, so that CodeMirror asks again. After `null` it would
     // wait until the next character.
     if (context.view?.state.doc !== context.state.doc) return { from: context.pos, filter: false, options: [] };
     if (found === undefined || context.aborted || found.to !== context.pos) return null;
-    return { from: found.from, filter: false, options: found.items.map(option) };
+    return { from: found.from, filter: false, options: found.items.map(toCompletion) };
   };
   return [
     // Nothing is selected at first, so Enter inserts a line break unless the user has moved into the list.
-    wishes,
+    delayedActions,
     Prec.highest(keymap.of(LIST_KEYS)),
     autocompletion({
       override: [source],
@@ -54,13 +54,13 @@ export function completion(events: EditorEvents): Extension {
       maxRenderedOptions: 60,
       selectOnOpen: false,
       interactionDelay: 0,
-      addToOptions: [{ render: pressed, position: 100 }],
+      addToOptions: [{ render: clickTarget, position: 100 }],
     }),
-    look,
+    listTheme,
   ];
 }
 
-const look = EditorView.theme({
+const listTheme = EditorView.theme({
   '.cm-tooltip.cm-tooltip-autocomplete > [role=listbox]': {
     maxHeight: rem(16),
     minWidth: rem(14),
@@ -102,13 +102,13 @@ const look = EditorView.theme({
 });
 
 /** Opens the list for text that was typed before this file was loaded, if the cursor is after a word. */
-export function catchUp(view: EditorView): void {
+export function completeTypedText(view: EditorView): void {
   const { head } = view.state.selection.main;
-  if (completes() && view.state.sliceDoc(Math.max(0, head - 1), head).trim() !== '') startCompletion(view);
+  if (isCompletionEnabled() && view.state.sliceDoc(Math.max(0, head - 1), head).trim() !== '') startCompletion(view);
 }
 
 /** Tab accepts the selected proposal, or the first one. Without a list it leaves the editor. */
-function take(view: EditorView): boolean {
+function acceptProposal(view: EditorView): boolean {
   if (completionStatus(view.state) !== 'active') return false;
   const isChosen = selectedCompletionIndex(view.state) !== null;
   if (!isChosen && hasNextSnippetField(view.state)) {
@@ -121,7 +121,7 @@ function take(view: EditorView): boolean {
 }
 
 /** A key or click for the list, which waits for its update. */
-interface Wish {
+interface DelayedAction {
   /** Returns whether it was possible. */
   readonly run: Command;
   /** The action of the key if the list is closed. */
@@ -133,64 +133,64 @@ interface Wish {
  * this state. They run when the list is updated or closed, and are dropped when the user continues typing or leaves the
  * editor.
  */
-const wishes = ViewPlugin.fromClass(
+const delayedActions = ViewPlugin.fromClass(
   class {
     readonly #view: EditorView;
-    #waiting: Wish[] = [];
-    #limit: ReturnType<typeof setTimeout> | undefined;
+    #actions: DelayedAction[] = [];
+    #timeout: ReturnType<typeof setTimeout> | undefined;
 
     constructor(view: EditorView) {
       this.#view = view;
     }
 
     get isWaiting(): boolean {
-      return this.#waiting.length > 0;
+      return this.#actions.length > 0;
     }
 
-    add(wish: Wish): void {
-      this.#waiting.push(wish);
+    add(action: DelayedAction): void {
+      this.#actions.push(action);
       // An answer that never arrives must not block the keys.
-      this.#limit ??= setTimeout(() => {
-        this.forget();
+      this.#timeout ??= setTimeout(() => {
+        this.cancel();
         closeCompletion(this.#view);
-      }, LONGEST_WAIT_MS);
+      }, MAX_WAIT_MS);
     }
 
-    forget(): void {
-      clearTimeout(this.#limit);
-      this.#limit = undefined;
-      this.#waiting = [];
+    cancel(): void {
+      clearTimeout(this.#timeout);
+      this.#timeout = undefined;
+      this.#actions = [];
     }
 
     update({ docChanged, selectionSet, state, view }: ViewUpdate): void {
       if (!this.isWaiting) return;
-      if (docChanged || selectionSet || !view.hasFocus) return this.forget();
+      if (docChanged || selectionSet || !view.hasFocus) return this.cancel();
       if (completionStatus(state) === 'pending') return;
-      const waiting = this.#waiting;
-      this.forget();
+      const actions = this.#actions;
+      this.cancel();
       // CodeMirror does not allow a dispatch during an update.
       queueMicrotask(() => {
-        for (const { run, otherwise } of waiting) if (!run(view)) otherwise(view);
+        for (const { run, otherwise } of actions) if (!run(view)) otherwise(view);
       });
     }
 
     destroy(): void {
-      this.forget();
+      this.cancel();
     }
   },
 );
 
 /** Delays a wish until the list is updated; returns false if that is not necessary. */
-function later(view: EditorView, wish: Wish): boolean {
+function delay(view: EditorView, action: DelayedAction): boolean {
   const isShown = view.contentDOM.getAttribute('aria-haspopup') === 'listbox';
   if (!isShown || completionStatus(view.state) !== 'pending') return false;
-  view.plugin(wishes)?.add(wish);
+  view.plugin(delayedActions)?.add(action);
   return true;
 }
 
 /** A key of the list, which waits while the list is being updated; otherwise CodeMirror handles it. */
 function listKey(key: string, run: Command, otherwise: Command): KeyBinding {
-  return { key, run: (view) => later(view, { run, otherwise }) };
+  return { key, run: (view) => delay(view, { run, otherwise }) };
 }
 
 const LIST_KEYS: readonly KeyBinding[] = [
@@ -198,9 +198,9 @@ const LIST_KEYS: readonly KeyBinding[] = [
     key: 'Tab',
     // Moving to the next snippet field need not wait: nothing is selected in a list that is being updated.
     run: (view) =>
-      take(view) ||
+      acceptProposal(view) ||
       ((isWaiting(view) || !hasNextSnippetField(view.state)) &&
-        later(view, { run: take, otherwise: nextSnippetField })),
+        delay(view, { run: acceptProposal, otherwise: nextSnippetField })),
   },
   listKey('ArrowDown', moveCompletionSelection(true), cursorLineDown),
   listKey('ArrowUp', moveCompletionSelection(false), cursorLineUp),
@@ -209,23 +209,23 @@ const LIST_KEYS: readonly KeyBinding[] = [
   // Without waiting keys, Enter inserts a line break.
   {
     key: 'Enter',
-    run: (view) => isWaiting(view) && later(view, { run: acceptCompletion, otherwise: insertNewlineAndIndent }),
+    run: (view) => isWaiting(view) && delay(view, { run: acceptCompletion, otherwise: insertNewlineAndIndent }),
   },
   {
     key: 'Escape',
     run: (view) => {
-      view.plugin(wishes)?.forget();
+      view.plugin(delayedActions)?.cancel();
       return false;
     },
   },
 ];
 
 function isWaiting(view: EditorView): boolean {
-  return view.plugin(wishes)?.isWaiting === true;
+  return view.plugin(delayedActions)?.isWaiting === true;
 }
 
 /** Accepts the proposal with this label, if the list contains it. */
-function takeLabel(label: string): Command {
+function acceptLabel(label: string): Command {
   return (view) => {
     const at = currentCompletions(view.state).findIndex((each) => each.label === label);
     if (at < 0) return false;
@@ -235,29 +235,29 @@ function takeLabel(label: string): Command {
 }
 
 /** Covers a proposal: CodeMirror ignores clicks while the list is being updated, so they are delayed here. */
-function pressed({ label }: Completion, _state: unknown, view: EditorView): Node {
+function clickTarget({ label }: Completion, _state: unknown, view: EditorView): Node {
   const surface = document.createElement('span');
   surface.className = 'cm-pressed-proposal';
-  surface.addEventListener('mousedown', () => void later(view, { run: takeLabel(label), otherwise: () => true }));
+  surface.addEventListener('mousedown', () => void delay(view, { run: acceptLabel(label), otherwise: () => true }));
   return surface;
 }
 
-function option({ label, text, fills, detail, kind }: CompletionItem): Completion {
+function toCompletion({ label, text, fills, detail, kind }: CompletionItem): Completion {
   return {
     label,
     detail,
     type: kind,
-    apply: fills.some(([from, to]) => from < to || to < text.length) ? snippet(template(text, fills)) : text,
+    apply: fills.some(([from, to]) => from < to || to < text.length) ? snippet(snippetTemplate(text, fills)) : text,
   };
 }
 
 /** The text as a CodeMirror snippet, with a field for each place to fill in. */
-function template(text: string, fills: CompletionItem['fills']): string {
-  let written = '';
+function snippetTemplate(text: string, fills: CompletionItem['fills']): string {
+  let result = '';
   let at = 0;
   for (const [index, [from, to]] of fills.entries()) {
-    written += `${text.slice(at, from)}\${${index + 1}:${text.slice(from, to)}}`;
+    result += `${text.slice(at, from)}\${${index + 1}:${text.slice(from, to)}}`;
     at = to;
   }
-  return written + text.slice(at);
+  return result + text.slice(at);
 }

@@ -6,28 +6,28 @@
 
 import { invertedEffects } from '@codemirror/commands';
 import { EditorState, StateEffect, type Extension, type Transaction, type TransactionSpec } from '@codemirror/state';
-import { isAnotherProgram, type Removed } from './another-program';
+import { isAnotherProgram, type Removed } from './program-replacement';
 import { lastOf } from './effects';
-import type { ContextEvents, ProgramContext } from './holder';
+import type { ContextSource, ProgramContext } from './text-store';
 
 const setContext = StateEffect.define<ProgramContext>();
 
 /** User events of changes by the page, which never make another program. */
-const OF_THE_SAME = ['input.setup', 'input.fix'] as const;
+const SAME_PROGRAM_EVENTS = ['input.setup', 'input.fix'] as const;
 
-export function programContext(events: ContextEvents): Extension {
+export function programContext(events: ContextSource): Extension {
   /** The program before the editor was emptied: if it is cut out and pasted again, it keeps its context. */
   let emptied: { readonly text: string; readonly context: ProgramContext } | undefined;
   const withContext = (transaction: Transaction): Pick<TransactionSpec, 'effects'> | null => {
-    if (!transaction.docChanged || !isByReader(transaction)) return null;
+    if (!transaction.docChanged || !isByUser(transaction)) return null;
     const { doc } = transaction.startState;
     if (doc.length === 0) {
       const before = emptied;
       emptied = undefined;
-      const isBack =
+      const isRestored =
         before !== undefined &&
         !isAnotherProgram(before.text, transaction.newDoc.toString(), [{ from: 0, to: before.text.length }]);
-      return isBack ? { effects: setContext.of(before.context) } : null;
+      return isRestored ? { effects: setContext.of(before.context) } : null;
     }
     if (!isReplacement(transaction)) return null;
     emptied = transaction.newDoc.length === 0 ? { text: doc.toString(), context: events.context() } : undefined;
@@ -55,9 +55,9 @@ export function contextOf(transactions: readonly Transaction[]): ProgramContext 
   );
 }
 
-function isByReader(transaction: Transaction): boolean {
+function isByUser(transaction: Transaction): boolean {
   const isEdit = transaction.isUserEvent('input') || transaction.isUserEvent('delete');
-  return isEdit && !OF_THE_SAME.some((same) => transaction.isUserEvent(same));
+  return isEdit && !SAME_PROGRAM_EVENTS.some((event) => transaction.isUserEvent(event));
 }
 
 function isReplacement(transaction: Transaction): boolean {

@@ -1,9 +1,9 @@
 // The program editor: CodeMirror 6 with the interpreter's highlighting and messages.
 //
 // In: text, tokens, diagnostics, blocks to mark. Out, only for actions of the user and not for changes by the page:
-// `changed`, `cursorMoved`, and `contextChanged` if it is another program. Also `viewMoved` when other lines become
-// visible, and `fileChanged` when the text belongs to another file, even by undo. Loaded by `program.ts`, together with
-// CodeMirror. Must not know: the language it edits.
+// `onTextChanged`, `onCursorMoved`, and `onContextChanged` if it is another program. Also `onViewMoved` when other
+// lines become visible, and `onFileChanged` when the text belongs to another file, even by undo. Loaded by
+// `program.ts`, together with CodeMirror. Must not know: the language it edits.
 
 import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
@@ -32,12 +32,21 @@ import {
 import { breakpoints, breakpointsOf, toggleBreakpoint } from './breakpoints';
 import { applyFix, areShown, lintDiagnostics } from './lint';
 import { folding, showFoldable } from './folding';
-import { foldOthers, folds, unfoldAt } from './folds';
+import { foldAllExcept, initialFolds, unfoldAt } from './initial-folds';
 import { marks, runningLine, showHovered, showMarked, showRunning, showTokens, showUses } from './marks';
 import { contextEffect, contextOf, programContext } from './context';
-import { docOf, fileOf, fileOfText, lineEndsIn, origin, renamed, textWithLineEnds } from './file';
+import { docOf, fileOf, fileOfText, lineEndsIn, setOriginEffect, renameEffect, textWithLineEnds } from './file';
 import { Follower } from './follow';
-import type { Access, Change, EditorEvents, LineRange, ProgramContext, Span, Start, TextHolder } from './holder';
+import type {
+  Access,
+  Change,
+  EditorEvents,
+  LineRange,
+  ProgramContext,
+  Span,
+  InitialState,
+  TextStore,
+} from './text-store';
 import { editorPhrases } from './phrases';
 import { announceProblem } from './problem-announcement';
 import { problemGutter } from './problem-gutter';
@@ -48,7 +57,7 @@ import { editorTheme } from './theme';
 import type { Language } from '../dom/language';
 import type { LineEnds } from '../files/line-ends';
 import { make } from '../dom/dom';
-import { loaded } from '../dom/network';
+import { importWithRetry } from '../dom/network';
 import { COMMON } from '../dom/words';
 import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
 import { Unsent } from './unsent';
@@ -61,27 +70,27 @@ const MARGIN_LINES = 60;
 /** A longer range (a file without line ends) gets no colours. */
 const HIGHLIGHT_LIMIT = 200_000;
 /** Tokens and diagnostics of a run usually arrive within this time of each other; the delay is not noticeable. */
-const TOGETHER_MS = 25;
+const UPDATE_DELAY_MS = 25;
 
 /** Marks a change that was made by the page, not by the user. */
-const byProgram = Annotation.define<true>();
+const byPage = Annotation.define<true>();
 
-export class Editor implements TextHolder {
+export class Editor implements TextStore {
   readonly #view: EditorView;
   readonly #follower: Follower;
   readonly #events: EditorEvents;
   readonly #language = new Compartment();
   /** Empty until completion is loaded, when the user first enters the text. */
   readonly #completion = new Compartment();
-  #completionIsComing = false;
+  #isCompletionLoading = false;
   readonly #access: Access;
   /** The lines that are not folded; folded again after each text that the page sets. */
   #shownLines: readonly LineRange[] = [];
-  #shownLanguage: Language;
+  #uiLanguage: Language;
   #diagnostics: readonly Diagnostic[] = [];
   /** Decorations for the next update. */
-  #coming: { tokens?: Uint32Array; diagnostics?: readonly Diagnostic[] } = {};
-  #timer: ReturnType<typeof setTimeout> | undefined;
+  #pendingDecorations: { tokens?: Uint32Array; diagnostics?: readonly Diagnostic[] } = {};
+  #updateTimer: ReturnType<typeof setTimeout> | undefined;
   /** Incremented with each change of the text. */
   #revision = 0;
   readonly #unsent: Unsent;
@@ -91,17 +100,17 @@ export class Editor implements TextHolder {
     parent: HTMLElement,
     language: Language,
     access: Access,
-    start: Start,
+    start: InitialState,
     events: EditorEvents,
   ) {
     const { program, file, unsent } = start;
     this.#events = events;
-    this.#shownLanguage = language;
+    this.#uiLanguage = language;
     this.#access = access;
     this.#unsent = new Unsent(unsent);
     // Not on the window: WebKit would move tooltips there after showing them. Not in the frame, which would clip them.
-    const aboveTheFrame = make('div', { className: 'own' });
-    root.append(aboveTheFrame);
+    const tooltipParent = make('div', { className: 'own' });
+    root.append(tooltipParent);
     this.#view = new EditorView({
       parent,
       root,
@@ -122,12 +131,12 @@ export class Editor implements TextHolder {
           highlightSelectionMatches(),
           search({ top: false }),
           linter(null),
-          tooltips({ position: 'absolute', parent: aboveTheFrame }),
+          tooltips({ position: 'absolute', parent: tooltipParent }),
           marks,
           editorTheme,
-          folds(() => this.#shownLanguage),
-          folding(() => this.#shownLanguage),
-          triedValues(() => this.#shownLanguage),
+          initialFolds(() => this.#uiLanguage),
+          folding(() => this.#uiLanguage),
+          triedValues(() => this.#uiLanguage),
           wordHover(events),
           this.#completion.of([]),
           EditorState.readOnly.of(access === 'readonly'),
@@ -140,7 +149,7 @@ export class Editor implements TextHolder {
             ...defaultKeymap,
           ]),
           this.#language.of(this.#languageExtension(language)),
-          EditorView.updateListener.of((update) => this.#updated(update)),
+          EditorView.updateListener.of((update) => this.#onUpdate(update)),
         ],
       }),
     });
@@ -169,8 +178,8 @@ export class Editor implements TextHolder {
 
   set file(file: ProgramFile) {
     this.#view.dispatch({
-      effects: renamed(file),
-      annotations: [byProgram.of(true), Transaction.addToHistory.of(false)],
+      effects: renameEffect(file),
+      annotations: [byPage.of(true), Transaction.addToHistory.of(false)],
     });
   }
 
@@ -186,8 +195,8 @@ export class Editor implements TextHolder {
     return this.#unsent.take(this.#view.state.doc);
   }
 
-  unsend(): void {
-    this.#unsent.all();
+  markAllUnsent(): void {
+    this.#unsent.markAll();
   }
 
   get cursor(): number {
@@ -200,7 +209,7 @@ export class Editor implements TextHolder {
   }
 
   set language(language: Language) {
-    this.#shownLanguage = language;
+    this.#uiLanguage = language;
     this.#view.dispatch({ effects: this.#language.reconfigure(this.#languageExtension(language)) });
     this.diagnostics = this.#diagnostics;
   }
@@ -211,7 +220,7 @@ export class Editor implements TextHolder {
     undoable: 'undoable' | 'final',
     context?: ProgramContext,
   ): void {
-    const effects = [origin(program.ends, file), ...(context === undefined ? [] : [contextEffect(context)])];
+    const effects = [setOriginEffect(program.ends, file), ...(context === undefined ? [] : [contextEffect(context)])];
     this.#replace(program, effects, undoable);
   }
 
@@ -224,20 +233,16 @@ export class Editor implements TextHolder {
       effects: [...effects, showRunning.of(undefined)],
       changes: { from: 0, to: this.length, insert: docOf(program) },
       selection: { anchor: 0 },
-      annotations: [
-        byProgram.of(true),
-        Transaction.addToHistory.of(undoable === 'undoable'),
-        isolateHistory.of('full'),
-      ],
+      annotations: [byPage.of(true), Transaction.addToHistory.of(undoable === 'undoable'), isolateHistory.of('full')],
       scrollIntoView: true,
     });
-    this.#unsent.replaced(program.pieces);
-    this.#fold();
+    this.#unsent.recordReplacement(program.pieces);
+    this.#foldHiddenLines();
     this.#view.dom.classList.remove('cm-chosen');
   }
 
   /** The visible lines with a margin, from 0, end exclusive; undefined if they are too long to highlight. */
-  get linesInSight(): { firstLine: number; endLine: number } | undefined {
+  get visibleLines(): { firstLine: number; endLine: number } | undefined {
     const { doc } = this.#view.state;
     const { from, to } = this.#view.viewport;
     const first = doc.line(Math.max(doc.lineAt(from).number - MARGIN_LINES, 1));
@@ -247,36 +252,36 @@ export class Editor implements TextHolder {
   }
 
   set tokens(tokens: Uint32Array) {
-    this.#coming.tokens = tokens;
-    this.#showSoon();
+    this.#pendingDecorations.tokens = tokens;
+    this.#scheduleDecorations();
   }
 
   set diagnostics(diagnostics: readonly Diagnostic[]) {
-    this.#diagnostics = this.#coming.diagnostics = diagnostics;
-    this.#showSoon();
+    this.#diagnostics = this.#pendingDecorations.diagnostics = diagnostics;
+    this.#scheduleDecorations();
   }
 
   /** Collects changes of the decorations: each update of CodeMirror causes a layout, and should be a separate task. */
-  #showSoon(): void {
-    this.#timer ??= setTimeout(() => this.showNow(), TOGETHER_MS);
+  #scheduleDecorations(): void {
+    this.#updateTimer ??= setTimeout(() => this.flushDecorations(), UPDATE_DELAY_MS);
   }
 
   /** Shows the collected changes; called when no more are expected. */
-  showNow(): void {
-    clearTimeout(this.#timer);
-    this.#timer = undefined;
-    const { tokens, diagnostics } = this.#coming;
-    this.#coming = {};
+  flushDecorations(): void {
+    clearTimeout(this.#updateTimer);
+    this.#updateTimer = undefined;
+    const { tokens, diagnostics } = this.#pendingDecorations;
+    this.#pendingDecorations = {};
     const { state } = this.#view;
     const updates: TransactionSpec[] = [];
     if (tokens !== undefined) updates.push({ effects: showTokens.of(tokens) });
     if (diagnostics !== undefined) {
       const shown = lintDiagnostics(
         diagnostics,
-        this.#shownLanguage,
+        this.#uiLanguage,
         this.length,
         () => this.#diagnostics,
-        (setting) => this.#events.settingChosen(setting),
+        (setting) => this.#events.onSettingChosen(setting),
       );
       // Diagnostics that are already shown need no update.
       if (!areShown(state, shown)) updates.push(setDiagnostics(state, shown));
@@ -328,22 +333,22 @@ export class Editor implements TextHolder {
   }
 
   /** The lines that the page highlights. */
-  set marked(lines: readonly LineRange[]) {
+  set highlightedLines(lines: readonly LineRange[]) {
     this.#view.dispatch({ effects: showMarked.of(lines) });
   }
 
   set shownLines(lines: readonly LineRange[]) {
     this.#shownLines = lines;
-    this.#fold();
+    this.#foldHiddenLines();
   }
 
-  #fold(): void {
-    const effects = foldOthers(this.#view.state, this.#shownLines);
+  #foldHiddenLines(): void {
+    const effects = foldAllExcept(this.#view.state, this.#shownLines);
     if (effects.length > 0) this.#view.dispatch({ effects });
   }
 
   /** Scrolls to the running block, even if the user has just scrolled elsewhere. */
-  follow(): void {
+  followRunningBlock(): void {
     this.#follower.resume();
   }
 
@@ -355,7 +360,7 @@ export class Editor implements TextHolder {
   /** The block of the current tool position; it is kept visible. */
   set running(span: Span | undefined) {
     this.#view.dispatch({ effects: showRunning.of(span) });
-    if (span !== undefined && span.to <= this.length) this.#follower.show(span.from);
+    if (span !== undefined && span.to <= this.length) this.#follower.reveal(span.from);
   }
 
   select(span: Span): void {
@@ -363,13 +368,13 @@ export class Editor implements TextHolder {
     this.#view.dispatch({
       selection: { anchor: span.from, head: span.to },
       effects: [...unfoldAt(this.#view, span.from, span.to), EditorView.scrollIntoView(span.from, { y: 'center' })],
-      annotations: byProgram.of(true),
+      annotations: byPage.of(true),
     });
     this.#view.dom.classList.add('cm-chosen');
   }
 
   /** Applies fixes, unless the text has changed since they were offered. */
-  apply(edits: Fix['edits']): void {
+  applyFixes(edits: Fix['edits']): void {
     if (this.#diagnostics.length > 0) applyFix(this.#view, edits);
   }
 
@@ -383,16 +388,16 @@ export class Editor implements TextHolder {
   }
 
   nextProblem(direction: 'next' | 'previous'): boolean {
-    this.showNow();
+    this.flushDecorations();
     this.focus();
     if (direction === 'next') nextDiagnostic(this.#view);
     else previousDiagnostic(this.#view);
-    announceProblem(this.#view, this.#shownLanguage);
+    announceProblem(this.#view, this.#uiLanguage);
     return true;
   }
 
   /** Scrolls to the cursor, after the layout of the elements around the text. */
-  keepCursorInSight(): void {
+  scrollToCursor(): void {
     requestAnimationFrame(() =>
       this.#view.dispatch({
         effects: EditorView.scrollIntoView(this.#view.state.selection.main.head, { y: 'nearest', yMargin: 12 }),
@@ -409,56 +414,56 @@ export class Editor implements TextHolder {
   }
 
   #languageExtension(language: Language): Extension {
-    const reading = this.#access === 'readonly' ? { 'aria-readonly': 'true' } : {};
+    const readonlyAttributes = this.#access === 'readonly' ? { 'aria-readonly': 'true' } : {};
     const attributes = {
       'aria-label': COMMON[language].program,
       lang: 'en',
       autocapitalize: 'characters',
       tabindex: '0',
-      ...reading,
+      ...readonlyAttributes,
     };
     return [EditorView.contentAttributes.of(attributes), editorPhrases(language)];
   }
 
   async #loadCompletion(): Promise<void> {
-    if (this.#completionIsComing || this.#access === 'readonly') return;
-    this.#completionIsComing = true;
+    if (this.#isCompletionLoading || this.#access === 'readonly') return;
+    this.#isCompletionLoading = true;
     try {
       const { revision } = this;
-      const { catchUp, completion } = await loaded(() => import('./completion'));
+      const { completeTypedText, completion } = await importWithRetry(() => import('./completion'));
       this.#view.dispatch({ effects: this.#completion.reconfigure(completion(this.#events)) });
-      if (this.revision !== revision) catchUp(this.#view);
-      this.#events.completionLoaded();
+      if (this.revision !== revision) completeTypedText(this.#view);
+      this.#events.onCompletionLoaded();
     } catch (reason) {
-      this.#completionIsComing = false;
-      this.#events.completionFailed(reason, () => void this.#loadCompletion());
+      this.#isCompletionLoading = false;
+      this.#events.onCompletionFailed(reason, () => void this.#loadCompletion());
     }
   }
 
-  #updated(update: ViewUpdate): void {
-    const programmatic = update.transactions.some((transaction) => transaction.annotation(byProgram) === true);
+  #onUpdate(update: ViewUpdate): void {
+    const isByPage = update.transactions.some((transaction) => transaction.annotation(byPage) === true);
     if (update.docChanged) {
       this.#revision++;
-      this.#unsent.changed(update.changes);
+      this.#unsent.recordChanges(update.changes);
       this.#diagnostics = [];
-      this.#coming = {};
+      this.#pendingDecorations = {};
     }
     if (update.focusChanged && this.#view.hasFocus) void this.#loadCompletion();
-    if (!programmatic) {
+    if (!isByPage) {
       if (update.selectionSet || update.docChanged) this.#view.dom.classList.remove('cm-chosen');
       const context = contextOf(update.transactions);
-      if (context !== undefined) this.#events.contextChanged(context);
-      if (update.docChanged) this.#events.changed();
-      else if (update.selectionSet) this.#events.cursorMoved();
+      if (context !== undefined) this.#events.onContextChanged(context);
+      if (update.docChanged) this.#events.onTextChanged();
+      else if (update.selectionSet) this.#events.onCursorMoved();
     }
     for (const transaction of update.transactions) {
       if (!transaction.isUserEvent('input.paste') && !transaction.isUserEvent('input.drop')) continue;
-      transaction.changes.iterChangedRanges((_from, _to, from, to) => this.#events.pasted(from, to));
+      transaction.changes.iterChangedRanges((_from, _to, from, to) => this.#events.onPasted(from, to));
     }
-    if (fileOf(update.startState) !== fileOf(update.state)) this.#events.fileChanged();
+    if (fileOf(update.startState) !== fileOf(update.state)) this.#events.onFileChanged();
     // If edits have only moved the blocks, the run of the changed text includes the new positions.
     const [before, now] = [triedOf(update.startState), triedOf(update.state)];
-    if (update.docChanged ? before.length !== now.length : before !== now) this.#events.triedChanged();
-    if (update.viewportChanged) this.#events.viewMoved();
+    if (update.docChanged ? before.length !== now.length : before !== now) this.#events.onTrialChanged();
+    if (update.viewportChanged) this.#events.onViewMoved();
   }
 }

@@ -22,16 +22,16 @@ import type { ProgramFile, ProgramText } from './program-text';
 
 /** The document of a text. */
 export function docOf({ doc, pieces }: ProgramText): Text {
-  return doc ?? pieces.reduce(append, Text.empty);
+  return doc ?? pieces.reduce(appendText, Text.empty);
 }
 
 /** Appends a piece of normalised text to a document. */
-export function append(doc: Text, piece: string): Text {
+export function appendText(doc: Text, piece: string): Text {
   return doc.append(Text.of(piece.split('\n')));
 }
 
 /** A line end other than the most frequent kind, at the position of the line break in the document. */
-class OtherEnd extends RangeValue {
+class ExceptionalLineEnd extends RangeValue {
   override mapMode = MapMode.TrackAfter;
   override startSide = 1;
   override endSide = 1;
@@ -43,51 +43,55 @@ class OtherEnd extends RangeValue {
   }
 
   override eq(other: RangeValue): boolean {
-    return other instanceof OtherEnd && other.text === this.text;
+    return other instanceof ExceptionalLineEnd && other.text === this.text;
   }
 }
 
-const OTHER_ENDS = { '\n': new OtherEnd('\n'), '\r\n': new OtherEnd('\r\n'), '\r': new OtherEnd('\r') } as const;
+const EXCEPTIONAL_LINE_ENDS = {
+  '\n': new ExceptionalLineEnd('\n'),
+  '\r\n': new ExceptionalLineEnd('\r\n'),
+  '\r': new ExceptionalLineEnd('\r'),
+} as const;
 
 interface Origin {
   readonly file: ProgramFile | undefined;
-  readonly mostEnds: LineEndText;
-  readonly otherEnds: RangeSet<OtherEnd>;
+  readonly usualEnd: LineEndText;
+  readonly exceptionalEnds: RangeSet<ExceptionalLineEnd>;
 }
 
-const moved = (origin: Origin, changes: ChangeDesc): Origin =>
-  origin.otherEnds.size === 0 ? origin : { ...origin, otherEnds: origin.otherEnds.map(changes) };
+const mapOrigin = (origin: Origin, changes: ChangeDesc): Origin =>
+  origin.exceptionalEnds.size === 0 ? origin : { ...origin, exceptionalEnds: origin.exceptionalEnds.map(changes) };
 
 /** The text now belongs to another file. */
-const setOrigin = StateEffect.define<Origin>({ map: moved });
+const setOrigin = StateEffect.define<Origin>({ map: mapOrigin });
 /** The name or encoding of the file has changed. */
 const setFile = StateEffect.define<ProgramFile>();
 /** Restores line ends that an undone change had removed. */
-const restoreEnds = StateEffect.define<RangeSet<OtherEnd>>({ map: (ends, changes) => ends.map(changes) });
+const restoreEnds = StateEffect.define<RangeSet<ExceptionalLineEnd>>({ map: (ends, changes) => ends.map(changes) });
 
 const field = StateField.define<Origin>({
-  create: () => ({ file: undefined, mostEnds: '\n', otherEnds: RangeSet.empty }),
+  create: () => ({ file: undefined, usualEnd: '\n', exceptionalEnds: RangeSet.empty }),
   update(origin, transaction) {
-    let next = transaction.docChanged ? moved(origin, transaction.changes) : origin;
+    let next = transaction.docChanged ? mapOrigin(origin, transaction.changes) : origin;
     for (const effect of transaction.effects) {
       if (effect.is(setOrigin)) next = effect.value;
       else if (effect.is(setFile)) next = { ...next, file: effect.value };
-      else if (effect.is(restoreEnds)) next = { ...next, otherEnds: effect.value };
+      else if (effect.is(restoreEnds)) next = { ...next, exceptionalEnds: effect.value };
     }
     return next;
   },
 });
 
-const undone: Extension = invertedEffects.of((transaction) => {
+const inverted: Extension = invertedEffects.of((transaction) => {
   const before = transaction.startState.field(field);
   if (transaction.effects.some((effect) => effect.is(setOrigin))) return [setOrigin.of(before)];
   const after = transaction.state.field(field);
-  return after.otherEnds.size < before.otherEnds.size ? [restoreEnds.of(before.otherEnds)] : [];
+  return after.exceptionalEnds.size < before.exceptionalEnds.size ? [restoreEnds.of(before.exceptionalEnds)] : [];
 });
 
 /** Stores file and line ends in the state, with initial values. */
 export function fileOfText(ends: LineEnds, file: ProgramFile | undefined): Extension {
-  return [field.init(() => originOf(ends, file)), undone];
+  return [field.init(() => originOf(ends, file)), inverted];
 }
 
 export function fileOf(state: EditorState): ProgramFile | undefined {
@@ -96,38 +100,39 @@ export function fileOf(state: EditorState): ProgramFile | undefined {
 
 /** The text with its own line ends. */
 export function textWithLineEnds(state: EditorState): string {
-  const { mostEnds, otherEnds } = state.field(field);
-  if (otherEnds.size === 0) return state.doc.sliceString(0, state.doc.length, mostEnds);
+  const { usualEnd, exceptionalEnds } = state.field(field);
+  if (exceptionalEnds.size === 0) return state.doc.sliceString(0, state.doc.length, usualEnd);
   const parts: string[] = [];
   let done = 0;
-  for (const other = otherEnds.iter(); other.value !== null; other.next()) {
-    parts.push(state.doc.sliceString(done, other.from, mostEnds), other.value.text);
+  for (const other = exceptionalEnds.iter(); other.value !== null; other.next()) {
+    parts.push(state.doc.sliceString(done, other.from, usualEnd), other.value.text);
     done = other.from + 1;
   }
-  parts.push(state.doc.sliceString(done, state.doc.length, mostEnds));
+  parts.push(state.doc.sliceString(done, state.doc.length, usualEnd));
   return parts.join('');
 }
 
 /** The line ends of the text. */
 export function lineEndsIn(state: EditorState): LineEnds {
-  const { mostEnds, otherEnds } = state.field(field);
-  const others: [number, LineEndText][] = [];
-  for (const other = otherEnds.iter(); other.value !== null; other.next()) others.push([other.from, other.value.text]);
-  return { most: mostEnds, others };
+  const { usualEnd, exceptionalEnds } = state.field(field);
+  const exceptions: [number, LineEndText][] = [];
+  for (const other = exceptionalEnds.iter(); other.value !== null; other.next())
+    exceptions.push([other.from, other.value.text]);
+  return { usual: usualEnd, exceptions };
 }
 
 /** The effect that sets file and line ends for a change that replaces the whole text. */
-export function origin(ends: LineEnds, file: ProgramFile | undefined): StateEffect<unknown> {
+export function setOriginEffect(ends: LineEnds, file: ProgramFile | undefined): StateEffect<unknown> {
   return setOrigin.of(originOf(ends, file));
 }
 
-function originOf({ most, others }: LineEnds, file: ProgramFile | undefined): Origin {
-  const builder = new RangeSetBuilder<OtherEnd>();
-  for (const [at, end] of others) builder.add(at, at, OTHER_ENDS[end]);
-  return { file, mostEnds: most, otherEnds: builder.finish() };
+function originOf({ usual, exceptions }: LineEnds, file: ProgramFile | undefined): Origin {
+  const builder = new RangeSetBuilder<ExceptionalLineEnd>();
+  for (const [at, end] of exceptions) builder.add(at, at, EXCEPTIONAL_LINE_ENDS[end]);
+  return { file, usualEnd: usual, exceptionalEnds: builder.finish() };
 }
 
 /** The effect for a new name or encoding of the file. */
-export function renamed(file: ProgramFile): StateEffect<unknown> {
+export function renameEffect(file: ProgramFile): StateEffect<unknown> {
   return setFile.of(file);
 }

@@ -10,7 +10,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import { lastOf } from './effects';
-import type { Span } from './holder';
+import type { Span } from './text-store';
 
 export const showFoldable = StateEffect.define<readonly Span[]>();
 
@@ -18,13 +18,13 @@ export const showFoldable = StateEffect.define<readonly Span[]>();
 const foldable = StateField.define<readonly Span[]>({
   create: () => [],
   update(before, transaction) {
-    const said = lastOf(transaction.effects, showFoldable);
-    if (said !== undefined) return said.filter(({ to }) => to <= transaction.newDoc.length);
-    return transaction.docChanged ? moved(before, transaction.changes) : before;
+    const spans = lastOf(transaction.effects, showFoldable);
+    if (spans !== undefined) return spans.filter(({ to }) => to <= transaction.newDoc.length);
+    return transaction.docChanged ? mapSpans(before, transaction.changes) : before;
   },
 });
 
-function moved(spans: readonly Span[], changes: ChangeDesc): readonly Span[] {
+function mapSpans(spans: readonly Span[], changes: ChangeDesc): readonly Span[] {
   return spans
     .map(({ from, to }) => ({ from: changes.mapPos(from), to: changes.mapPos(to) }))
     .filter(({ from, to }) => from < to);

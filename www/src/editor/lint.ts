@@ -7,52 +7,57 @@ import { isolateHistory } from '@codemirror/commands';
 import { forEachDiagnostic, type Diagnostic as LintDiagnostic } from '@codemirror/lint';
 import type { EditorState } from '@codemirror/state';
 import type { EditorView } from '@codemirror/view';
-import { make, prose } from '../dom/dom';
+import { make, renderProse } from '../dom/dom';
 import type { Language } from '../dom/language';
 import type { Diagnostic, Fix, Setting } from '../protocol/protocol';
 import { PROBLEM_WORDS } from './problem-words';
 import { ruleLink } from './rule-link';
 
 /** More squiggles would not be useful, and cost time on every key. */
-const SHOWN = 1000;
+const MAX_DIAGNOSTICS = 1000;
 
 /** A diagnostic of CodeMirror, and a key of everything it displays. */
-export interface Shown extends LintDiagnostic {
-  readonly shows: string;
+export interface ShownDiagnostic extends LintDiagnostic {
+  readonly key: string;
 }
 
-/** `now`: returns the newest diagnostics when a fix is applied, since those on display may be older. */
+/** `newest`: returns the newest diagnostics when a fix is applied, since those on display may be older. */
 export function lintDiagnostics(
   diagnostics: readonly Diagnostic[],
   language: Language,
   length: number,
-  now: () => readonly Diagnostic[],
-  set: (setting: Setting) => void,
-): readonly Shown[] {
+  newest: () => readonly Diagnostic[],
+  applySetting: (setting: Setting) => void,
+): readonly ShownDiagnostic[] {
   return diagnostics
     .filter((diagnostic) => diagnostic.from <= diagnostic.to && diagnostic.to <= length)
-    .slice(0, SHOWN)
+    .slice(0, MAX_DIAGNOSTICS)
     .map((diagnostic) => ({
-      shows: shows(diagnostic, language),
+      key: diagnosticKey(diagnostic, language),
       from: diagnostic.from,
       to: diagnostic.to,
       severity: diagnostic.severity,
       message: diagnostic.message,
       markClass: `cm-problem-${diagnostic.kind}`,
-      renderMessage: () => explain(diagnostic, language),
-      actions: diagnostic.fixes.map((fix, which) => ({
+      renderMessage: () => messageElement(diagnostic, language),
+      actions: diagnostic.fixes.map((fix, index) => ({
         name: fix.title.replaceAll('`', ''),
         apply(view: EditorView, from: number) {
-          const same = now().filter((other) => shows(other, language) === shows(diagnostic, language));
-          const [here] = same.sort((a, b) => Math.abs(a.from - from) - Math.abs(b.from - from));
-          if (fix.setting !== undefined) set(fix.setting);
-          else applyFix(view, here?.fixes[which]?.edits ?? []);
+          const same = newest().filter(
+            (other) => diagnosticKey(other, language) === diagnosticKey(diagnostic, language),
+          );
+          const [nearest] = same.sort((a, b) => Math.abs(a.from - from) - Math.abs(b.from - from));
+          if (fix.setting !== undefined) applySetting(fix.setting);
+          else applyFix(view, nearest?.fixes[index]?.edits ?? []);
         },
       })),
     }));
 }
 
-function shows({ severity, kind, code, slug, alarm, message, help, fixes }: Diagnostic, language: Language): string {
+function diagnosticKey(
+  { severity, kind, code, slug, alarm, message, help, fixes }: Diagnostic,
+  language: Language,
+): string {
   return JSON.stringify([
     language,
     severity,
@@ -67,15 +72,17 @@ function shows({ severity, kind, code, slug, alarm, message, help, fixes }: Diag
 }
 
 /** Whether the editor already shows exactly these diagnostics; edits move them. */
-export function areShown(state: EditorState, diagnostics: readonly Shown[]): boolean {
-  const there: string[] = [];
-  forEachDiagnostic(state, (diagnostic, from, to) => there.push(`${from} ${to} ${(diagnostic as Shown).shows}`));
-  if (there.length !== diagnostics.length) return false;
-  const wanted = diagnostics.map(({ from, to, shows }) => `${from} ${to} ${shows}`);
+export function areShown(state: EditorState, diagnostics: readonly ShownDiagnostic[]): boolean {
+  const shown: string[] = [];
+  forEachDiagnostic(state, (diagnostic, from, to) =>
+    shown.push(`${from} ${to} ${(diagnostic as ShownDiagnostic).key}`),
+  );
+  if (shown.length !== diagnostics.length) return false;
+  const expected = diagnostics.map(({ from, to, key }) => `${from} ${to} ${key}`);
   // Sort both: the order of diagnostics on top of each other is not visible.
-  there.sort();
-  wanted.sort();
-  return there.every((one, at) => one === wanted[at]);
+  shown.sort();
+  expected.sort();
+  return shown.every((text, at) => text === expected[at]);
 }
 
 /** Applies the edits of one or several fixes as one undo step. */
@@ -90,7 +97,7 @@ export function applyFix(view: EditorView, edits: Fix['edits']): void {
   });
 }
 
-function explain(diagnostic: Diagnostic, language: Language): HTMLElement {
+function messageElement(diagnostic: Diagnostic, language: Language): HTMLElement {
   const words = PROBLEM_WORDS[language];
   const facts = [
     words.severity[diagnostic.severity],
@@ -101,11 +108,11 @@ function explain(diagnostic: Diagnostic, language: Language): HTMLElement {
   const explanation = make(
     'div',
     { className: 'explanation' },
-    make('p', { className: 'message' }, ...prose(diagnostic.message)),
+    make('p', { className: 'message' }, ...renderProse(diagnostic.message)),
   );
   if (diagnostic.help !== undefined)
-    explanation.append(make('p', { className: 'help-text' }, ...prose(diagnostic.help)));
-  const known = facts.filter((fact) => fact !== '').join(' · ');
-  explanation.append(make('p', { className: 'facts' }, `${known} · `, ruleLink(diagnostic, language)));
+    explanation.append(make('p', { className: 'help-text' }, ...renderProse(diagnostic.help)));
+  const factText = facts.filter((fact) => fact !== '').join(' · ');
+  explanation.append(make('p', { className: 'facts' }, `${factText} · `, ruleLink(diagnostic, language)));
   return explanation;
 }

@@ -6,7 +6,7 @@
 import { StateEffect, StateField, type EditorState, type Extension, type Range, type Text } from '@codemirror/state';
 import { Decoration, EditorView, type DecorationSet } from '@codemirror/view';
 import { lastOf } from './effects';
-import type { LineRange, Span } from './holder';
+import type { LineRange, Span } from './text-store';
 
 /** The CSS class suffixes of the token classes 0, 1, 2 … */
 const TOKEN_STYLES = [
@@ -62,12 +62,12 @@ function tokenMarks(triples: Uint32Array, length: number): DecorationSet {
 function blockField(
   effectType: typeof showHovered,
   mark: (span: Span, doc: Text) => Range<Decoration>,
-  after: 'goes' | 'moves',
+  after: 'removed' | 'moved',
 ): StateField<DecorationSet> {
   return StateField.define<DecorationSet>({
     create: () => Decoration.none,
     update(shown, transaction) {
-      let next = after === 'moves' ? shown.map(transaction.changes) : transaction.docChanged ? Decoration.none : shown;
+      let next = after === 'moved' ? shown.map(transaction.changes) : transaction.docChanged ? Decoration.none : shown;
       for (const effect of transaction.effects) {
         if (!effect.is(effectType)) continue;
         const span = effect.value;
@@ -83,26 +83,26 @@ function blockField(
 const uses = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update(shown, transaction) {
-    const said = lastOf(transaction.effects, showUses);
-    if (said === undefined) return transaction.docChanged ? Decoration.none : shown;
+    const value = lastOf(transaction.effects, showUses);
+    if (value === undefined) return transaction.docChanged ? Decoration.none : shown;
     const { length } = transaction.newDoc;
     return Decoration.set(
-      said.filter(({ from, to }) => from < to && to <= length).map(({ from, to }) => USED.range(from, to)),
+      value.filter(({ from, to }) => from < to && to <= length).map(({ from, to }) => USED.range(from, to)),
       true,
     );
   },
   provide: (field) => EditorView.decorations.from(field),
 });
 
-const running = blockField(showRunning, (span, doc) => RUNNING.range(doc.lineAt(span.from).from), 'moves');
+const running = blockField(showRunning, (span, doc) => RUNNING.range(doc.lineAt(span.from).from), 'moved');
 
 /** Lines that the page highlights. They are line numbers, so they apply to another text as well. */
 const markedLines = StateField.define<{ readonly lines: readonly LineRange[]; readonly shown: DecorationSet }>({
   create: () => ({ lines: [], shown: Decoration.none }),
   update(before, transaction) {
-    const said = lastOf(transaction.effects, showMarked);
-    if (said === undefined && !transaction.docChanged) return before;
-    const lines = said ?? before.lines;
+    const value = lastOf(transaction.effects, showMarked);
+    if (value === undefined && !transaction.docChanged) return before;
+    const lines = value ?? before.lines;
     return { lines, shown: lineMarks(lines, transaction.newDoc) };
   },
   provide: (field) => EditorView.decorations.from(field, ({ shown }) => shown),
@@ -119,7 +119,7 @@ function lineMarks(lines: readonly LineRange[], doc: Text): DecorationSet {
 export const marks: Extension = [
   markedLines,
   tokens,
-  blockField(showHovered, (span) => HOVERED.range(span.from, span.to), 'goes'),
+  blockField(showHovered, (span) => HOVERED.range(span.from, span.to), 'removed'),
   uses,
   running,
 ];

@@ -4,17 +4,17 @@
 // after each change. Must not know: the elements that display it.
 
 import type { LineEnds } from '../files/line-ends';
-import { inPieces } from '../files/line-ends';
+import { splitIntoPieces } from '../files/line-ends';
 import type { TextCommand } from '../protocol/protocol';
-import type { Change, Span, Start, TextEvents, TextHolder } from './holder';
+import type { Change, Span, InitialState, TextEvents, TextStore } from './text-store';
 import { programText, type ProgramFile, type ProgramText } from './program-text';
 
-export class PlainProgram implements TextHolder {
+export class PlainProgram implements TextStore {
   readonly #events: TextEvents;
   #program: ProgramText = programText('');
   #text = '';
   #file: ProgramFile | undefined;
-  #unsent: Start['unsent'] = 'all';
+  #unsent: InitialState['unsent'] = 'all';
   #selection: Span = { from: 0, to: 0 };
   #revision = 0;
 
@@ -27,11 +27,11 @@ export class PlainProgram implements TextHolder {
   }
 
   get textWithLineEnds(): string {
-    const { most, others } = this.#program.ends;
+    const { usual, exceptions } = this.#program.ends;
     const parts: string[] = [];
     let done = 0;
-    const upTo = (at: number): string => this.#text.slice(done, at).replaceAll('\n', most);
-    for (const [at, end] of others) {
+    const upTo = (at: number): string => this.#text.slice(done, at).replaceAll('\n', usual);
+    for (const [at, end] of exceptions) {
       parts.push(upTo(at), end);
       done = at + 1;
     }
@@ -56,7 +56,7 @@ export class PlainProgram implements TextHolder {
 
   set file(file: ProgramFile) {
     this.#file = file;
-    this.#events.fileChanged();
+    this.#events.onFileChanged();
   }
 
   get selection(): Span {
@@ -68,7 +68,7 @@ export class PlainProgram implements TextHolder {
   }
 
   /** The state that the editor takes over. */
-  get start(): Start {
+  get state(): InitialState {
     return { program: this.#program, file: this.#file, unsent: this.#unsent };
   }
 
@@ -82,21 +82,21 @@ export class PlainProgram implements TextHolder {
     return { kind: 'text', pieces: this.#program.pieces };
   }
 
-  unsend(): void {
+  markAllUnsent(): void {
     this.#unsent = 'all';
   }
 
   setText(program: ProgramText, file: ProgramFile | undefined): void {
-    this.#put(program);
+    this.#replaceText(program);
     if (file === this.#file) return;
     this.#file = file;
-    this.#events.fileChanged();
+    this.#events.onFileChanged();
   }
 
   rewrite(text: string): void {
     const { pieces } = programText(text);
     // The lines have changed; most line ends keep their kind.
-    this.#put({ pieces, ends: { most: this.#program.ends.most, others: [] } });
+    this.#replaceText({ pieces, ends: { usual: this.#program.ends.usual, exceptions: [] } });
   }
 
   change(edits: readonly Change[]): void {
@@ -105,17 +105,17 @@ export class PlainProgram implements TextHolder {
     // From the end of the text, so that the offsets of the remaining edits stay valid.
     for (const edit of [...edits].sort((a, b) => b.from - a.from)) {
       text = text.slice(0, edit.from) + edit.text + text.slice(edit.to);
-      ends = moved(ends, edit);
+      ends = mapLineEnds(ends, edit);
     }
-    this.#put({ pieces: inPieces(text), ends });
-    this.#events.changed();
+    this.#replaceText({ pieces: splitIntoPieces(text), ends });
+    this.#events.onTextChanged();
   }
 
   select(span: Span): void {
     if (span.to <= this.length) this.#selection = span;
   }
 
-  #put(program: ProgramText): void {
+  #replaceText(program: ProgramText): void {
     this.#program = program;
     this.#text = program.pieces.join('');
     this.#selection = { from: 0, to: 0 };
@@ -124,8 +124,8 @@ export class PlainProgram implements TextHolder {
   }
 }
 
-function moved({ most, others }: LineEnds, { from, to, text }: Change): LineEnds {
+function mapLineEnds({ usual, exceptions }: LineEnds, { from, to, text }: Change): LineEnds {
   const by = text.length - (to - from);
-  const kept = others.filter(([at]) => at < from || at >= to);
-  return { most, others: kept.map(([at, end]) => [at < from ? at : at + by, end]) };
+  const kept = exceptions.filter(([at]) => at < from || at >= to);
+  return { usual, exceptions: kept.map(([at, end]) => [at < from ? at : at + by, end]) };
 }

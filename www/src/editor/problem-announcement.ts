@@ -12,15 +12,15 @@ import { PROBLEM_WORDS } from './problem-words';
 
 export function announceProblem(view: EditorView, language: Language): void {
   const { from, to } = view.state.selection.main;
-  let [count, at, said] = [0, 0, ''];
+  let [count, at, announcement] = [0, 0, ''];
   forEachDiagnostic(view.state, ({ severity, message }, start, end) => {
     count++;
     if (at > 0 || start !== from || end !== to) return;
     at = count;
-    said = `${PROBLEM_WORDS[language].severity[severity as Diagnostic['severity']]}: ${message.replaceAll('`', '')}`;
+    announcement = `${PROBLEM_WORDS[language].severity[severity as Diagnostic['severity']]}: ${message.replaceAll('`', '')}`;
   });
   const texts = WORDS[language];
-  const text = at === 0 ? texts.none : texts.problem(at, count, view.state.doc.lineAt(from).number, said);
+  const text = at === 0 ? texts.none : texts.problem(at, count, view.state.doc.lineAt(from).number, announcement);
   view.dispatch({ effects: EditorView.announce.of(text) });
 }
 

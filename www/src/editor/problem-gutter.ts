@@ -8,16 +8,16 @@ import { forEachDiagnostic, setDiagnosticsEffect } from '@codemirror/lint';
 import { RangeSet, StateEffect, StateField, type EditorState, type Extension, type Range } from '@codemirror/state';
 import { type EditorView, gutter, GutterMarker, showTooltip, type Tooltip } from '@codemirror/view';
 import { make } from '../dom/dom';
-import type { Shown } from './lint';
+import type { ShownDiagnostic } from './lint';
 
-const HOVER_MS = 300;
+const HOVER_DELAY_MS = 300;
 
 const RANK = { hint: 0, info: 0, warning: 1, error: 2 } as const;
 
 class Dot extends GutterMarker {
-  readonly severity: Shown['severity'];
+  readonly severity: ShownDiagnostic['severity'];
 
-  constructor(severity: Shown['severity']) {
+  constructor(severity: ShownDiagnostic['severity']) {
     super();
     this.severity = severity;
   }
@@ -39,7 +39,7 @@ const version = StateField.define<number>({
 });
 
 function dotsOf(state: EditorState): RangeSet<GutterMarker> {
-  const worst = new Map<number, Shown['severity']>();
+  const worst = new Map<number, ShownDiagnostic['severity']>();
   forEachDiagnostic(state, ({ severity }, from) => {
     const line = state.doc.lineAt(from).from;
     const before = worst.get(line);
@@ -67,42 +67,42 @@ const popUp = StateField.define<Tooltip | null>({
 });
 
 /** All problems of a line, each with its fixes. */
-function explained(
+function tooltipContent(
   view: EditorView,
-  problems: readonly { readonly problem: Shown; readonly from: number; readonly to: number }[],
+  problems: readonly { readonly problem: ShownDiagnostic; readonly from: number; readonly to: number }[],
 ): HTMLElement {
   const rows = problems.map(({ problem, from, to }) => {
-    const repairs = (problem.actions ?? []).map(({ name, apply }) => {
+    const fixButtons = (problem.actions ?? []).map(({ name, apply }) => {
       const button = make('button', { type: 'button', className: 'cm-diagnosticAction' }, name);
       button.addEventListener('click', () => apply(view, from, to));
       return button;
     });
-    const said = problem.renderMessage?.(view) ?? problem.message;
-    return make('li', { className: `cm-diagnostic cm-diagnostic-${problem.severity}` }, said, ...repairs);
+    const message = problem.renderMessage?.(view) ?? problem.message;
+    return make('li', { className: `cm-diagnostic cm-diagnostic-${problem.severity}` }, message, ...fixButtons);
   });
   return make('ul', { className: 'cm-tooltip-lint' }, ...rows);
 }
 
 export function problemGutter(): Extension {
-  let known: { readonly version: number; readonly dots: RangeSet<GutterMarker> } | undefined;
+  let cached: { readonly version: number; readonly dots: RangeSet<GutterMarker> } | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
-  const later = (act: () => void): void => {
+  const schedule = (act: () => void): void => {
     clearTimeout(timer);
-    timer = setTimeout(act, HOVER_MS);
+    timer = setTimeout(act, HOVER_DELAY_MS);
   };
   const hide = (view: EditorView): void => {
     if (view.state.field(popUp) !== null) view.dispatch({ effects: showPopUp.of(null) });
   };
   const show = (view: EditorView, from: number, to: number): void => {
-    const problems: { problem: Shown; from: number; to: number }[] = [];
+    const problems: { problem: ShownDiagnostic; from: number; to: number }[] = [];
     forEachDiagnostic(view.state, (problem, start, end) => {
-      if (from <= start && start <= to) problems.push({ problem: problem as Shown, from: start, to: end });
+      if (from <= start && start <= to) problems.push({ problem: problem as ShownDiagnostic, from: start, to: end });
     });
     if (problems.length === 0) return;
     const create: Tooltip['create'] = () => {
-      const dom = explained(view, problems);
+      const dom = tooltipContent(view, problems);
       dom.addEventListener('mouseenter', () => clearTimeout(timer));
-      dom.addEventListener('mouseleave', () => later(() => hide(view)));
+      dom.addEventListener('mouseleave', () => schedule(() => hide(view)));
       return { dom };
     };
     view.dispatch({ effects: showPopUp.of({ pos: from, above: true, create }) });
@@ -114,17 +114,17 @@ export function problemGutter(): Extension {
       class: 'cm-gutter-lint',
       markers: ({ state }) => {
         const now = state.field(version);
-        if (known?.version !== now) known = { version: now, dots: dotsOf(state) };
-        return known.dots;
+        if (cached?.version !== now) cached = { version: now, dots: dotsOf(state) };
+        return cached.dots;
       },
       domEventHandlers: {
         mouseover(view, line, event) {
           if ((event.target as Element).classList.contains('cm-lint-marker'))
-            later(() => show(view, line.from, line.to));
+            schedule(() => show(view, line.from, line.to));
           return false;
         },
         mouseout(view) {
-          later(() => hide(view));
+          schedule(() => hide(view));
           return false;
         },
       },

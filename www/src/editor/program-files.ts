@@ -7,29 +7,29 @@ import { decode, encode, isUnicode, type Encoding } from '../files/encodings';
 import type { ProgramFile } from './program-text';
 
 /** The name of a program that was not opened from a file. */
-const NEW_FILE: ProgramFile = { name: 'program.nc', encoding: 'utf-8' };
+const DEFAULT_FILE: ProgramFile = { name: 'program.nc', encoding: 'utf-8' };
 
-export interface Saved {
+interface Saved {
   readonly bytes: Uint8Array<ArrayBuffer>;
   /** The file as saved: in UTF-8 if its own encoding cannot represent a character. */
   readonly file: ProgramFile;
-  readonly noPlaceFor: string | undefined;
+  readonly unencodable: string | undefined;
 }
 
-export function bytesToSave(text: string, file: ProgramFile = NEW_FILE): Saved {
+export function bytesToSave(text: string, file: ProgramFile = DEFAULT_FILE): Saved {
   const encoded = encode(text, file.encoding);
-  if (encoded.kind === 'bytes') return { bytes: encoded.bytes, file, noPlaceFor: undefined };
+  if (encoded.kind === 'bytes') return { bytes: encoded.bytes, file, unencodable: undefined };
   const bytes = new TextEncoder().encode(text);
-  return { bytes, file: { ...file, encoding: 'utf-8' }, noPlaceFor: encoded.character };
+  return { bytes, file: { ...file, encoding: 'utf-8' }, unencodable: encoded.character };
 }
 
-export type Reread =
+type Reread =
   /** The guess was wrong: the same bytes mean this text. */
   | { readonly kind: 'text'; readonly text: string }
   /** The text was right and stays; the next save uses the new encoding. */
-  | { readonly kind: 'kept' }
-  | { readonly kind: 'not-this-encoding' }
-  | { readonly kind: 'no-place'; readonly character: string };
+  | { readonly kind: 'unchanged' }
+  | { readonly kind: 'invalid-encoding' }
+  | { readonly kind: 'unencodable'; readonly character: string };
 
 /**
  * The text when the user selects another encoding. The old encoding may have been a wrong guess: its bytes, including
@@ -41,10 +41,10 @@ export function reread(text: string, from: Encoding, to: Encoding): Reread {
   if (before?.kind === 'bytes') {
     const again = decode(before.bytes, to);
     if (again !== undefined) return { kind: 'text', text: again };
-    if (!isUnicode(to)) return { kind: 'not-this-encoding' };
+    if (!isUnicode(to)) return { kind: 'invalid-encoding' };
   }
   const after = encode(text, to);
-  return after.kind === 'bytes' ? { kind: 'kept' } : after;
+  return after.kind === 'bytes' ? { kind: 'unchanged' } : after;
 }
 
 /** Saves bytes as a download. */

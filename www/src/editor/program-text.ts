@@ -5,7 +5,7 @@
 
 import type { Text } from '@codemirror/state';
 import type { Encoding } from '../files/encodings';
-import { folded, inPieces, lineEndsOf, type LineEnds } from '../files/line-ends';
+import { foldLineEnds, splitIntoPieces, lineEndsOf, type LineEnds } from '../files/line-ends';
 
 export interface ProgramFile {
   readonly name: string;
@@ -23,5 +23,5 @@ export interface ProgramText {
 }
 
 export function programText(text: string): ProgramText {
-  return { pieces: inPieces(folded(text)), ends: lineEndsOf(text) };
+  return { pieces: splitIntoPieces(foldLineEnds(text)), ends: lineEndsOf(text) };
 }

@@ -6,122 +6,122 @@
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
-import { loaded } from '../dom/network';
+import { importWithRetry } from '../dom/network';
 import { COMMON } from '../dom/words';
 import type { LineEnds } from '../files/line-ends';
 import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
 import type { Editor } from './editor';
-import type { Access, Change, EditorEvents, LineRange, ProgramContext, Span, TextHolder } from './holder';
+import type { Access, Change, EditorEvents, LineRange, ProgramContext, Span, TextStore } from './text-store';
 import { PlainProgram } from './plain-program';
 import type { ProgramFile, ProgramText } from './program-text';
 
 /** UTF-16 units to show until the editor is loaded; the user can hardly see more. */
-const SHOWN = 20_000;
+const MAX_PLACEHOLDER_LENGTH = 20_000;
 
-export class Program implements TextHolder {
+export class Program implements TextStore {
   /** The container of the editor. */
   readonly element = make('div', { className: 'editor', part: 'editor' });
   readonly #events: EditorEvents;
   readonly #access: Access;
-  readonly #waiting = make('pre', { className: 'waiting', tabIndex: 0, lang: 'en' });
-  #holder: TextHolder;
+  readonly #placeholder = make('pre', { className: 'waiting', tabIndex: 0, lang: 'en' });
+  #store: TextStore;
   #editor: Editor | undefined;
   /** The revision of the plain text when the editor took over. */
-  #revisionsBefore = 0;
+  #plainRevision = 0;
   #language: Language;
   /** The state to pass to the editor once it is loaded. */
   #diagnostics: readonly Diagnostic[] = [];
   #hovered: Span | undefined;
   #running: Span | undefined;
-  #marked: readonly LineRange[] = [];
+  #highlightedLines: readonly LineRange[] = [];
   #shownLines: readonly LineRange[] = [];
-  #focusWanted = false;
+  #focusPending = false;
 
   constructor(language: Language, access: Access, events: EditorEvents) {
     this.#events = events;
     this.#access = access;
     this.#language = language;
-    this.#holder = new PlainProgram({
-      changed: () => {
+    this.#store = new PlainProgram({
+      onTextChanged: () => {
         this.#diagnostics = [];
-        events.changed();
+        events.onTextChanged();
       },
-      fileChanged: () => events.fileChanged(),
+      onFileChanged: () => events.onFileChanged(),
     });
-    this.element.append(this.#waiting);
-    this.#showWaiting();
+    this.element.append(this.#placeholder);
+    this.#showPlaceholder();
   }
 
   /** Loads the editor and replaces the plain text. Rejected if it cannot be loaded; the next call retries. */
-  async edit(root: ShadowRoot): Promise<void> {
-    const { Editor } = await loaded(() => import('./editor'));
-    const plain = this.#holder;
+  async loadEditor(root: ShadowRoot): Promise<void> {
+    const { Editor } = await importWithRetry(() => import('./editor'));
+    const plain = this.#store;
     // A concurrent call has already done it.
     if (!(plain instanceof PlainProgram)) return;
-    const focused = this.#focusWanted || root.activeElement === this.#waiting;
-    const editor = new Editor(root, this.element, this.#language, this.#access, plain.start, this.#events);
-    this.#revisionsBefore = plain.revision;
-    this.#holder = this.#editor = editor;
-    this.#waiting.remove();
+    const focused = this.#focusPending || root.activeElement === this.#placeholder;
+    const editor = new Editor(root, this.element, this.#language, this.#access, plain.state, this.#events);
+    this.#plainRevision = plain.revision;
+    this.#store = this.#editor = editor;
+    this.#placeholder.remove();
     if (plain.selection.to > 0) editor.select(plain.selection);
     editor.diagnostics = this.#diagnostics;
     editor.hovered = this.#hovered;
     editor.running = this.#running;
-    editor.marked = this.#marked;
+    editor.highlightedLines = this.#highlightedLines;
     editor.shownLines = this.#shownLines;
-    editor.showNow();
+    editor.flushDecorations();
     if (focused) editor.focus();
-    this.#events.viewMoved();
+    this.#events.onViewMoved();
   }
 
   // ---- the text -----------------------------------------------------------------------------------
 
   get text(): string {
-    return this.#holder.text;
+    return this.#store.text;
   }
 
   get textWithLineEnds(): string {
-    return this.#holder.textWithLineEnds;
+    return this.#store.textWithLineEnds;
   }
 
   get lineEnds(): LineEnds {
-    return this.#holder.lineEnds;
+    return this.#store.lineEnds;
   }
 
   get length(): number {
-    return this.#holder.length;
+    return this.#store.length;
   }
 
   get revision(): number {
-    return this.#revisionsBefore + this.#holder.revision;
+    return this.#plainRevision + this.#store.revision;
   }
 
   get file(): ProgramFile | undefined {
-    return this.#holder.file;
+    return this.#store.file;
   }
 
   set file(file: ProgramFile) {
-    this.#holder.file = file;
+    this.#store.file = file;
   }
 
   get selection(): Span {
-    return this.#holder.selection;
+    return this.#store.selection;
   }
 
   get cursor(): number {
-    return this.#holder.cursor;
+    return this.#store.cursor;
   }
 
   textBetween(from: number, to: number): string {
-    return this.#holder.textBetween(from, to);
+    return this.#store.textBetween(from, to);
   }
 
   takeUnsent(): TextCommand | undefined {
-    return this.#holder.takeUnsent();
+    return this.#store.takeUnsent();
   }
 
-  unsend(): void {
-    this.#holder.unsend();
+  markAllUnsent(): void {
+    this.#store.markAllUnsent();
   }
 
   setText(
@@ -131,32 +131,32 @@ export class Program implements TextHolder {
     context?: ProgramContext,
   ): void {
     this.#diagnostics = [];
-    this.#holder.setText(program, file, undoable, context);
-    this.#showWaiting();
+    this.#store.setText(program, file, undoable, context);
+    this.#showPlaceholder();
   }
 
   rewrite(text: string): void {
     if (this.#access === 'readonly') return;
     this.#diagnostics = [];
-    this.#holder.rewrite(text);
-    this.#showWaiting();
+    this.#store.rewrite(text);
+    this.#showPlaceholder();
   }
 
   change(edits: readonly Change[]): void {
     if (this.#access === 'readonly') return;
-    this.#holder.change(edits);
-    this.#showWaiting();
+    this.#store.change(edits);
+    this.#showPlaceholder();
   }
 
   /** Applies fixes, unless the text has changed since they were offered. */
-  apply(edits: Fix['edits']): void {
+  applyFixes(edits: Fix['edits']): void {
     if (this.#access === 'readonly') return;
-    if (this.#editor !== undefined) this.#editor.apply(edits);
+    if (this.#editor !== undefined) this.#editor.applyFixes(edits);
     else if (this.#diagnostics.length > 0) this.change(edits);
   }
 
   select(span: Span): void {
-    this.#holder.select(span);
+    this.#store.select(span);
   }
 
   // ---- decorations --------------------------------------------------------------------------------
@@ -164,12 +164,12 @@ export class Program implements TextHolder {
   set language(language: Language) {
     this.#language = language;
     if (this.#editor !== undefined) this.#editor.language = language;
-    this.#showWaiting();
+    this.#showPlaceholder();
   }
 
   /** The visible lines with a margin; undefined if nothing is highlighted. */
-  get linesInSight(): { firstLine: number; endLine: number } | undefined {
-    return this.#editor?.linesInSight;
+  get visibleLines(): { firstLine: number; endLine: number } | undefined {
+    return this.#editor?.visibleLines;
   }
 
   /** Triples `from, to, class`, sorted. */
@@ -183,8 +183,8 @@ export class Program implements TextHolder {
   }
 
   /** No further decorations of this run are expected. */
-  showNow(): void {
-    this.#editor?.showNow();
+  flushDecorations(): void {
+    this.#editor?.flushDecorations();
   }
 
   /** The values of variables that the user tries; the text is not changed. */
@@ -214,8 +214,8 @@ export class Program implements TextHolder {
   }
 
   /** Scrolls to the cursor, after the layout of the elements around the text. */
-  keepCursorInSight(): void {
-    this.#editor?.keepCursorInSight();
+  scrollToCursor(): void {
+    this.#editor?.scrollToCursor();
   }
 
   /** Announces a text to screen readers. */
@@ -261,9 +261,9 @@ export class Program implements TextHolder {
   }
 
   /** The lines that the page highlights. */
-  set marked(lines: readonly LineRange[]) {
-    this.#marked = lines;
-    if (this.#editor !== undefined) this.#editor.marked = lines;
+  set highlightedLines(lines: readonly LineRange[]) {
+    this.#highlightedLines = lines;
+    if (this.#editor !== undefined) this.#editor.highlightedLines = lines;
   }
 
   /** The lines to show, the others are folded; all lines if empty. */
@@ -285,30 +285,30 @@ export class Program implements TextHolder {
   }
 
   /** Scrolls to the running block, even if the user has just scrolled elsewhere. */
-  follow(): void {
-    this.#editor?.follow();
+  followRunningBlock(): void {
+    this.#editor?.followRunningBlock();
   }
 
   /** Selects a problem and focuses the program. */
-  show(diagnostic: Diagnostic): void {
+  selectProblem(diagnostic: Diagnostic): void {
     this.select({ from: diagnostic.from, to: diagnostic.to });
     this.focus();
   }
 
   nextProblem(direction: 'next' | 'previous'): void {
-    this.#events.wanted();
+    this.#events.onShowProgram();
     this.#editor?.nextProblem(direction);
   }
 
   focus(): void {
-    this.#events.wanted();
-    this.#focusWanted = this.#editor === undefined;
+    this.#events.onShowProgram();
+    this.#focusPending = this.#editor === undefined;
     this.#editor?.focus();
   }
 
-  #showWaiting(): void {
+  #showPlaceholder(): void {
     if (this.#editor !== undefined) return;
-    this.#waiting.textContent = this.textBetween(0, SHOWN);
-    this.#waiting.setAttribute('aria-label', COMMON[this.#language].program);
+    this.#placeholder.textContent = this.textBetween(0, MAX_PLACEHOLDER_LENGTH);
+    this.#placeholder.setAttribute('aria-label', COMMON[this.#language].program);
   }
 }

@@ -12,7 +12,7 @@ import type { TriedValue } from '../protocol/protocol';
 import { lastOf } from './effects';
 
 /** Maximum number of values at a time. */
-const MOST = 20;
+const MAX_VALUES = 20;
 
 /** Replaces all tried values. */
 const setTried = StateEffect.define<readonly TriedValue[]>();
@@ -20,13 +20,13 @@ const setTried = StateEffect.define<readonly TriedValue[]>();
 const tried = StateField.define<readonly TriedValue[]>({
   create: () => [],
   update(before, { changes, docChanged, effects }) {
-    const said = lastOf(effects, setTried);
-    if (said !== undefined) return said;
-    return docChanged && before.length > 0 ? moved(before, changes) : before;
+    const values = lastOf(effects, setTried);
+    if (values !== undefined) return values;
+    return docChanged && before.length > 0 ? mapValues(before, changes) : before;
   },
 });
 
-function moved(before: readonly TriedValue[], changes: ChangeDesc): readonly TriedValue[] {
+function mapValues(before: readonly TriedValue[], changes: ChangeDesc): readonly TriedValue[] {
   return before.flatMap((value) => {
     const at = changes.mapPos(value.at, 1, MapMode.TrackDel);
     return at === null ? [] : [{ ...value, at }];
@@ -34,7 +34,7 @@ function moved(before: readonly TriedValue[], changes: ChangeDesc): readonly Tri
 }
 
 /** The widget of a value after its block; a click removes the value. */
-class Note extends WidgetType {
+class TriedValueWidget extends WidgetType {
   readonly #value: TriedValue;
   readonly #language: Language;
 
@@ -44,7 +44,7 @@ class Note extends WidgetType {
     this.#language = language;
   }
 
-  override eq(other: Note): boolean {
+  override eq(other: TriedValueWidget): boolean {
     return other.#value === this.#value && other.#language === this.#language;
   }
 
@@ -68,15 +68,17 @@ class Note extends WidgetType {
 
 /** `language` is called for each note. */
 export function triedValues(language: () => Language): Extension {
-  const notes = (state: EditorState): DecorationSet => {
+  const decorations = (state: EditorState): DecorationSet => {
     const shown = state
       .field(tried)
       .map((value) =>
-        Decoration.widget({ widget: new Note(value, language()), side: 1 }).range(state.doc.lineAt(value.at).to),
+        Decoration.widget({ widget: new TriedValueWidget(value, language()), side: 1 }).range(
+          state.doc.lineAt(value.at).to,
+        ),
       );
     return Decoration.set(shown, true);
   };
-  return [tried, EditorView.decorations.compute([tried, 'doc'], notes)];
+  return [tried, EditorView.decorations.compute([tried, 'doc'], decorations)];
 }
 
 /** The tried values, in the order in which they were set. */
@@ -86,19 +88,19 @@ export function triedOf(state: EditorState): readonly TriedValue[] {
 
 /** Sets a value; replaces one of the same variable at the same position. */
 export function tryValue(view: EditorView, value: TriedValue): void {
-  const others = view.state.field(tried).filter((one) => !isSame(one, value));
-  view.dispatch({ effects: setTried.of([...others, value].slice(-MOST)) });
+  const others = view.state.field(tried).filter((entry) => !isSame(entry, value));
+  view.dispatch({ effects: setTried.of([...others, value].slice(-MAX_VALUES)) });
 }
 
 /** Removes a value, or all of them. */
 export function endTrial(view: EditorView, value?: TriedValue): void {
-  const left = value === undefined ? [] : view.state.field(tried).filter((one) => !isSame(one, value));
-  view.dispatch({ effects: setTried.of(left) });
+  const remaining = value === undefined ? [] : view.state.field(tried).filter((entry) => !isSame(entry, value));
+  view.dispatch({ effects: setTried.of(remaining) });
 }
 
 /** Whether two values are for the same variable, position and repetition. */
-function isSame(one: TriedValue, other: TriedValue): boolean {
-  return one.at === other.at && one.time === other.time && one.variable === other.variable;
+function isSame(value: TriedValue, other: TriedValue): boolean {
+  return value.at === other.at && value.time === other.time && value.variable === other.variable;
 }
 
 const WORDS = words({

@@ -24,7 +24,7 @@ export function factList(facts: readonly HelpLine[], go: (offset: number) => voi
   return make(
     'ul',
     { className: 'word-facts' },
-    ...facts.map(({ text, at }) => make('li', {}, at === undefined ? text : linked(text, at, go))),
+    ...facts.map(({ text, at }) => make('li', {}, at === undefined ? text : linkButton(text, at, go))),
   );
 }
 
@@ -38,7 +38,7 @@ export function wordCard(help: WordHelp, go: (offset: number) => void): HTMLElem
   );
 }
 
-function linked(text: string, offset: number, go: (offset: number) => void): HTMLElement {
+function linkButton(text: string, offset: number, go: (offset: number) => void): HTMLElement {
   const button = make('button', { type: 'button', className: 'to-block' }, text);
   button.addEventListener('click', () => go(offset));
   return button;

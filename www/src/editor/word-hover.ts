@@ -6,11 +6,11 @@
 import { forEachDiagnostic } from '@codemirror/lint';
 import type { EditorState, Extension } from '@codemirror/state';
 import { EditorView, hoverTooltip, type Tooltip } from '@codemirror/view';
-import type { EditorEvents } from './holder';
+import type { EditorEvents } from './text-store';
 import { wordCard } from './word-help';
 
 /** How long the pointer must rest before help is requested. */
-const REST_MS = 350;
+const HOVER_DELAY_MS = 350;
 
 export function wordHover(events: EditorEvents): Extension {
   const source = async (view: EditorView, at: number): Promise<Tooltip | null> => {
@@ -24,10 +24,10 @@ export function wordHover(events: EditorEvents): Extension {
       pos: help.from,
       end: help.to,
       above: true,
-      create: () => ({ dom: wordCard(help, (offset) => go(view, offset)) }),
+      create: () => ({ dom: wordCard(help, (offset) => goTo(view, offset)) }),
     };
   };
-  return hoverTooltip(source, { hoverTime: REST_MS, hideOnChange: true });
+  return hoverTooltip(source, { hoverTime: HOVER_DELAY_MS, hideOnChange: true });
 }
 
 function hasProblem(state: EditorState, at: number): boolean {
@@ -39,7 +39,7 @@ function hasProblem(state: EditorState, at: number): boolean {
 }
 
 /** Moves the cursor to a block, as if the user had placed it there. */
-function go(view: EditorView, offset: number): void {
+function goTo(view: EditorView, offset: number): void {
   if (offset > view.state.doc.length) return;
   view.dispatch({
     selection: { anchor: offset },

@@ -9,20 +9,20 @@ import plausible from '../../../src/cli/plausible.json';
 import { decode, type Encoding } from './encodings';
 
 /** Most non-ASCII bytes that are examined; more do not change the guess. */
-const LOOKED_AT = 100_000;
+const SAMPLE_LIMIT = 100_000;
 
-export interface Guess {
+interface Guess {
   readonly encoding: Encoding;
   readonly text: string;
   /** Whether the bytes are probably not text. */
   readonly binary: boolean;
 }
 
-export function guess(bytes: Uint8Array): Guess {
+export function guessEncoding(bytes: Uint8Array): Guess {
   const binary = isBinary(bytes);
   const certain: Encoding[] = ['utf-8-bom', 'utf-16le', 'utf-16be', ...unmarkedUtf16(bytes)];
-  if (!isRatherChinese(bytes)) certain.push('utf-8');
-  for (const encoding of [...certain, ...byLikelihood(bytes)]) {
+  if (!isLikelyGb18030(bytes)) certain.push('utf-8');
+  for (const encoding of [...certain, ...encodingsByLikelihood(bytes)]) {
     const text = decode(bytes, encoding);
     if (text !== undefined) return { encoding, text, binary: binary && !encoding.startsWith('utf-16') };
   }
@@ -39,9 +39,9 @@ function unmarkedUtf16(bytes: Uint8Array): Encoding[] {
   const zeros = [0, 0];
   for (let at = 0; at < 2 * pairs; at++) if (bytes[at] === 0) zeros[at & 1] = (zeros[at & 1] ?? 0) + 1;
   const [first = 0, second = 0] = zeros;
-  const least = Math.max(2, Math.ceil(pairs / 2));
-  if (first === 0 && second >= least) return ['utf-16le-no-bom'];
-  return second === 0 && first >= least ? ['utf-16be-no-bom'] : [];
+  const minimum = Math.max(2, Math.ceil(pairs / 2));
+  if (first === 0 && second >= minimum) return ['utf-16le-no-bom'];
+  return second === 0 && first >= minimum ? ['utf-16be-no-bom'] : [];
 }
 
 /**
@@ -49,52 +49,52 @@ function unmarkedUtf16(bytes: Uint8Array): Encoding[] {
  * end-of-file mark.
  */
 function isBinary(bytes: Uint8Array): boolean {
-  let strange = 0;
+  let controlCharacters = 0;
   for (const byte of bytes) {
     if (byte < 0x20 && byte !== 0 && byte !== 0x1a && (byte < 0x09 || byte > 0x0d) && (byte < 0x11 || byte > 0x14))
-      strange++;
+      controlCharacters++;
   }
-  return 100 * strange > bytes.length;
+  return 100 * controlCharacters > bytes.length;
 }
 
 /**
  * Whether valid UTF-8 is probably GB18030, as short Chinese comments can be: in UTF-8 it has letters of alphabets that
  * no program uses, and in GB18030 they are common characters.
  */
-function isRatherChinese(bytes: Uint8Array): boolean {
+function isLikelyGb18030(bytes: Uint8Array): boolean {
   let beyondAscii = 0;
-  let ofFarAlphabet = false;
+  let hasUnusedAlphabet = false;
   for (const byte of bytes) {
     if (byte >= 0xe0) return false;
     if (byte >= 0x80) beyondAscii++;
-    ofFarAlphabet ||= (byte >= 0xc6 && byte <= 0xcd) || byte >= 0xd2;
+    hasUnusedAlphabet ||= (byte >= 0xc6 && byte <= 0xcd) || byte >= 0xd2;
   }
-  return ofFarAlphabet && chinese(bytes) <= (COMMON * beyondAscii) / 2;
+  return hasUnusedAlphabet && chineseSurprise(bytes) <= (COMMON_HANZI_SURPRISE * beyondAscii) / 2;
 }
 
-function byLikelihood(bytes: Uint8Array): Encoding[] {
-  const { end, count } = lookedAt(bytes);
+function encodingsByLikelihood(bytes: Uint8Array): Encoding[] {
+  const { end, count } = sampleOf(bytes);
   if (count === 0) return ['windows-1252'];
-  const looked = bytes.subarray(0, end);
+  const sample = bytes.subarray(0, end);
   const surprises: [Encoding, number][] = [
-    ['gb18030', chinese(looked)],
-    ['windows-1252', western(looked)],
-    ['windows-1251', russian(looked)],
+    ['gb18030', chineseSurprise(sample)],
+    ['windows-1252', westernSurprise(sample)],
+    ['windows-1251', russianSurprise(sample)],
   ];
   return surprises.sort((a, b) => a[1] - b[1]).map(([encoding]) => encoding);
 }
 
-function lookedAt(bytes: Uint8Array): { end: number; count: number } {
+function sampleOf(bytes: Uint8Array): { end: number; count: number } {
   let count = 0;
   let end = 0;
-  for (; end < bytes.length && count < LOOKED_AT; end++) if ((bytes[end] ?? 0) >= 0x80) count++;
+  for (; end < bytes.length && count < SAMPLE_LIMIT; end++) if ((bytes[end] ?? 0) >= 0x80) count++;
   return { end, count };
 }
 
 // ---- surprise of each reading: the sum of negative natural logarithms of a rough probability ----
 
 /** Highest surprise of a character in level 1 of GB 2312. */
-const COMMON = 9.8;
+const COMMON_HANZI_SURPRISE = 9.8;
 
 /** Surprise of each byte as a letter or sign of a one-byte encoding. */
 interface ByteTable {
@@ -103,12 +103,12 @@ interface ByteTable {
   readonly lower: Uint8Array;
 }
 
-function byteTable(encoding: 'windows-1251' | 'windows-1252', of: (character: string) => number): ByteTable {
+function byteTable(encoding: 'windows-1251' | 'windows-1252', surpriseOf: (character: string) => number): ByteTable {
   const table = { surprise: new Float64Array(256), upper: new Uint8Array(256), lower: new Uint8Array(256) };
   const text = new TextDecoder(encoding).decode(Uint8Array.from({ length: 256 }, (_, byte) => byte));
   for (let byte = 0x80; byte < 0x100; byte++) {
     const character = text.charAt(byte);
-    table.surprise[byte] = of(character);
+    table.surprise[byte] = surpriseOf(character);
     table.upper[byte] = character.toLowerCase() === character ? 0 : 1;
     table.lower[byte] = character.toUpperCase() === character ? 0 : 1;
   }
@@ -123,7 +123,7 @@ let commonHanzi: ReadonlySet<string> | undefined;
  * Surprise as Russian: expects words of Cyrillic letters, frequent letters more than rare ones. Capitals after small
  * letters, and Latin neighbours, are improbable.
  */
-function russian(bytes: Uint8Array): number {
+function russianSurprise(bytes: Uint8Array): number {
   const { surprise, upper, lower } = (russianTable ??= byteTable('windows-1251', (character) => {
     const rank = plausible.cyrillic.indexOf(character.toLowerCase());
     if (rank >= 0) return 2.2 + 0.12 * rank;
@@ -144,7 +144,7 @@ function russian(bytes: Uint8Array): number {
 }
 
 /** Surprise as a Western language: expects single accented letters among Latin ones, and signs next to numbers. */
-function western(bytes: Uint8Array): number {
+function westernSurprise(bytes: Uint8Array): number {
   const { surprise, upper, lower } = (westernTable ??= byteTable('windows-1252', (character) => {
     if (plausible.western.includes(character)) return 3.4;
     return plausible.signs.includes(character) ? 4.5 : /\p{L}/u.test(character) ? 6.5 : 9;
@@ -166,7 +166,7 @@ function western(bytes: Uint8Array): number {
 }
 
 /** Surprise as Chinese: expects pairs of bytes, workshop characters more than others. An invalid pair excludes it. */
-function chinese(bytes: Uint8Array): number {
+function chineseSurprise(bytes: Uint8Array): number {
   commonHanzi ??= new Set(plausible.hanzi);
   const decoder = new TextDecoder('gb18030');
   let total = 0;
@@ -185,7 +185,7 @@ function chinese(bytes: Uint8Array): number {
     if (trail < 0xa1 || lead < 0xa1) total += 15;
     else if (lead <= 0xa3) total += 7.6;
     else if (commonHanzi.has(decoder.decode(bytes.subarray(i, i + 2)))) total += 6;
-    else total += lead >= 0xb0 && lead <= 0xd7 ? COMMON : 12.8;
+    else total += lead >= 0xb0 && lead <= 0xd7 ? COMMON_HANZI_SURPRISE : 12.8;
     i++;
   }
   return total;

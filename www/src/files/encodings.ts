@@ -34,17 +34,17 @@ export const ENCODING_NAMES: Readonly<Record<Encoding, string>> = {
   'windows-1252': 'Windows-1252',
 };
 
-export type Encoded =
+type Encoded =
   | { readonly kind: 'bytes'; readonly bytes: Uint8Array<ArrayBuffer> }
   /** The first character that the encoding cannot represent. */
-  | { readonly kind: 'no-place'; readonly character: string };
+  | { readonly kind: 'unencodable'; readonly character: string };
 
 /** Whether the encoding can represent every character. */
 export function isUnicode(encoding: Encoding): boolean {
   return encoding.startsWith('utf-');
 }
 
-const MARKS: Readonly<Partial<Record<Encoding, readonly number[]>>> = {
+const BYTE_ORDER_MARKS: Readonly<Partial<Record<Encoding, readonly number[]>>> = {
   'utf-8-bom': [0xef, 0xbb, 0xbf],
   'utf-16le': [0xff, 0xfe],
   'utf-16be': [0xfe, 0xff],
@@ -52,9 +52,10 @@ const MARKS: Readonly<Partial<Record<Encoding, readonly number[]>>> = {
 
 /** Decodes bytes; undefined if the text would not encode to the same bytes. */
 export function decode(bytes: Uint8Array, encoding: Encoding): string | undefined {
-  const mark = MARKS[encoding] ?? [];
+  const mark = BYTE_ORDER_MARKS[encoding] ?? [];
   if (mark.some((byte, i) => bytes[i] !== byte)) return undefined;
-  if (encoding === 'utf-8' && MARKS['utf-8-bom']?.every((byte, i) => bytes[i] === byte) === true) return undefined;
+  if (encoding === 'utf-8' && BYTE_ORDER_MARKS['utf-8-bom']?.every((byte, i) => bytes[i] === byte) === true)
+    return undefined;
   const label = encoding.replace(/(-no)?-bom$/, '');
   let text: string;
   try {
@@ -64,8 +65,8 @@ export function decode(bytes: Uint8Array, encoding: Encoding): string | undefine
   }
   // UTF-8 and one-byte encodings encode a text in only one way.
   if (label === 'utf-8') return text;
-  const back = encode(text, encoding);
-  return back.kind === 'bytes' && same(back.bytes, bytes) ? text : undefined;
+  const encoded = encode(text, encoding);
+  return encoded.kind === 'bytes' && isEqual(encoded.bytes, bytes) ? text : undefined;
 }
 
 /** Encodes a text. */
@@ -84,7 +85,7 @@ export function encode(text: string, encoding: Encoding): Encoded {
     case 'gb18030':
     case 'windows-1251':
     case 'windows-1252':
-      return byTable(text, encoding);
+      return encodeByTable(text, encoding);
   }
 }
 
@@ -100,7 +101,7 @@ type Legacy = 'gb18030' | 'windows-1251' | 'windows-1252';
 /** Bytes of each UTF-16 unit as one number, the first byte highest; 0 if the encoding has none. */
 const tables = new Map<Legacy, Uint32Array>();
 
-function byTable(text: string, encoding: Legacy): Encoded {
+function encodeByTable(text: string, encoding: Legacy): Encoded {
   let table = tables.get(encoding);
   if (table === undefined)
     tables.set(encoding, (table = encoding === 'gb18030' ? gb18030Table() : byteTable(encoding)));
@@ -121,8 +122,8 @@ function byTable(text: string, encoding: Legacy): Encoded {
     if (code === 0) {
       const point = text.codePointAt(i) ?? 0;
       if (encoding !== 'gb18030' || point < 0x10000)
-        return { kind: 'no-place', character: String.fromCodePoint(point) };
-      code = fourBytes(FIRST_ABOVE_FFFF + point - 0x10000);
+        return { kind: 'unencodable', character: String.fromCodePoint(point) };
+      code = fourByteCode(FIRST_CODE_ABOVE_FFFF + point - 0x10000);
       i++;
     }
     for (let shift = 24; shift >= 0; shift -= 8) {
@@ -142,11 +143,11 @@ function byteTable(encoding: Legacy): Uint32Array {
 }
 
 /** Four-byte codes are numbered in order; this is the number of the first one for a character above U+FFFF. */
-const FIRST_ABOVE_FFFF = 189_000;
+const FIRST_CODE_ABOVE_FFFF = 189_000;
 /** Number of four-byte codes for characters up to U+FFFF: 0x81308130 to 0x8431A439. */
-const FOUR_BYTES_BELOW = 39_420;
+const FOUR_BYTE_CODES_TO_FFFF = 39_420;
 
-function fourBytes(number: number): number {
+function fourByteCode(number: number): number {
   const last = 0x30 + (number % 10);
   const third = 0x81 + (Math.floor(number / 10) % 126);
   const second = 0x30 + (Math.floor(number / 1260) % 10);
@@ -160,22 +161,22 @@ function gb18030Table(): Uint32Array {
   for (let lead = 0x81; lead <= 0xfe; lead++) {
     for (let trail = 0x40; trail <= 0xfe; trail++) if (trail !== 0x7f) codes.push((lead << 8) | trail);
   }
-  for (let number = 0; number < FOUR_BYTES_BELOW; number++) codes.push(fourBytes(number));
+  for (let number = 0; number < FOUR_BYTE_CODES_TO_FFFF; number++) codes.push(fourByteCode(number));
   const bytes: number[] = [];
   for (const code of codes) {
     if (code > 0xffff) bytes.push(code >>> 24, (code >>> 16) & 0xff);
     bytes.push((code >>> 8) & 0xff, code & 0xff, 0x0a);
   }
   const table = new Uint32Array(0x10000);
-  const shown = new TextDecoder('gb18030').decode(Uint8Array.from(bytes)).split('\n');
+  const decoded = new TextDecoder('gb18030').decode(Uint8Array.from(bytes)).split('\n');
   codes.forEach((code, i) => {
-    const character = shown[i] ?? '';
+    const character = decoded[i] ?? '';
     const unit = character.charCodeAt(0);
     if (character.length === 1 && unit !== 0xfffd && table[unit] === 0) table[unit] = code;
   });
   return table;
 }
 
-function same(a: Uint8Array, b: Uint8Array): boolean {
+function isEqual(a: Uint8Array, b: Uint8Array): boolean {
   return a.length === b.length && a.every((byte, i) => byte === b[i]);
 }

@@ -3,9 +3,9 @@
 // In: a `File`. Out: its text in pieces, then its encoding and line ends; or an event that it cannot be read. Each
 // worker reads one file. Must not know: the page, or the purpose of the text.
 
-import { guess } from './encoding-guess';
+import { guessEncoding } from './encoding-guess';
 import type { Encoding } from './encodings';
-import { folded, inPieces, lineEndsOf, type LineEnds } from './line-ends';
+import { foldLineEnds, splitIntoPieces, lineEndsOf, type LineEnds } from './line-ends';
 
 export type ReaderEvent =
   /** With folded line ends; a piece ends with a line end. */
@@ -25,8 +25,8 @@ async function read(file: File): Promise<void> {
     send({ kind: 'unreadable' });
     return;
   }
-  const { encoding, text, binary } = guess(bytes);
-  for (const piece of inPieces(folded(text))) send({ kind: 'piece', text: piece });
+  const { encoding, text, binary } = guessEncoding(bytes);
+  for (const piece of splitIntoPieces(foldLineEnds(text))) send({ kind: 'piece', text: piece });
   send({ kind: 'read', ends: lineEndsOf(text), encoding, binary });
 }
 

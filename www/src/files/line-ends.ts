@@ -6,23 +6,23 @@
 export type LineEndText = '\n' | '\r\n' | '\r';
 
 export interface LineEnds {
-  readonly most: LineEndText;
-  /** Line ends that differ from `most`, in order, as offsets into the folded text. */
-  readonly others: readonly (readonly [at: number, end: LineEndText])[];
+  readonly usual: LineEndText;
+  /** Line ends that differ from `usual`, in order, as offsets into the folded text. */
+  readonly exceptions: readonly (readonly [at: number, end: LineEndText])[];
 }
 
 /** UTF-16 units of a piece: short enough to be processed without a visible delay. */
-const PIECE = 1 << 18;
+const MIN_PIECE_LENGTH = 1 << 18;
 
 /** The text with every line end as `\n`. */
-export function folded(text: string): string {
+export function foldLineEnds(text: string): string {
   return text.includes('\r') ? text.replace(/\r\n?/g, '\n') : text;
 }
 
 export function lineEndsOf(text: string): LineEnds {
-  if (!text.includes('\r')) return { most: '\n', others: [] };
+  if (!text.includes('\r')) return { usual: '\n', exceptions: [] };
   const counts = new Map<LineEndText, number>();
-  const each = (visit: (end: LineEndText, at: number) => void): void => {
+  const forEachLineEnd = (visit: (end: LineEndText, at: number) => void): void => {
     let folded = 0;
     for (const match of text.matchAll(/\r\n?|\n/g)) {
       const end = match[0] as LineEndText;
@@ -30,23 +30,26 @@ export function lineEndsOf(text: string): LineEnds {
       folded += end.length - 1;
     }
   };
-  each((end) => counts.set(end, (counts.get(end) ?? 0) + 1));
-  const [most] = [...counts].reduce((most, one) => (one[1] > most[1] ? one : most), ['\n', 0] as [LineEndText, number]);
-  const others: [number, LineEndText][] = [];
+  forEachLineEnd((end) => counts.set(end, (counts.get(end) ?? 0) + 1));
+  const [usual] = [...counts].reduce((most, entry) => (entry[1] > most[1] ? entry : most), ['\n', 0] as [
+    LineEndText,
+    number,
+  ]);
+  const exceptions: [number, LineEndText][] = [];
   if (counts.size > 1) {
-    each((end, at) => {
-      if (end !== most) others.push([at, end]);
+    forEachLineEnd((end, at) => {
+      if (end !== usual) exceptions.push([at, end]);
     });
   }
-  return { most, others };
+  return { usual, exceptions };
 }
 
 /** Splits a folded text after line ends; long lines are not split. */
-export function inPieces(text: string): string[] {
+export function splitIntoPieces(text: string): string[] {
   const pieces: string[] = [];
   let from = 0;
   do {
-    const end = text.indexOf('\n', from + PIECE);
+    const end = text.indexOf('\n', from + MIN_PIECE_LENGTH);
     const next = end < 0 ? text.length : end + 1;
     pieces.push(text.slice(from, next));
     from = next;
@@ -55,16 +58,18 @@ export function inPieces(text: string): string[] {
 }
 
 /** Returns a function that maps offsets in the folded text to offsets in the file's text. */
-export function offsetsInFile({ most, others }: LineEnds, text: () => string): (offset: number) => number {
-  if (most !== '\r\n' && !others.some(([, end]) => end === '\r\n')) return (offset) => offset;
-  const other = new Map(others);
+export function offsetsInFile({ usual, exceptions }: LineEnds, text: () => string): (offset: number) => number {
+  if (usual !== '\r\n' && !exceptions.some(([, end]) => end === '\r\n')) return (offset) => offset;
+  const exceptionAt = new Map(exceptions);
   /** Folded offsets of the CRLF line ends, in order. */
-  const wide = [...text().matchAll(/\n/g)].map(({ index }) => index).filter((at) => (other.get(at) ?? most) === '\r\n');
+  const crlfOffsets = [...text().matchAll(/\n/g)]
+    .map(({ index }) => index)
+    .filter((at) => (exceptionAt.get(at) ?? usual) === '\r\n');
   return (offset) => {
-    let [low, high] = [0, wide.length];
+    let [low, high] = [0, crlfOffsets.length];
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (wide[middle]! < offset) low = middle + 1;
+      if (crlfOffsets[middle]! < offset) low = middle + 1;
       else high = middle;
     }
     return offset + low;

@@ -10,7 +10,7 @@
 // contents.
 
 import { LINK_LIMIT } from './link-limit';
-import { packed, unpacked, UNPACKED_LIMIT } from './packed-text';
+import { pack, unpack, UNPACKED_LIMIT } from './packed-text';
 
 const VERSION = 1;
 
@@ -35,7 +35,7 @@ export interface Shared {
   readonly name: string | null;
 }
 
-export const NOTHING_SAID: Shared = {
+export const EMPTY_SHARED: Shared = {
   text: '',
   setup: null,
   control: null,
@@ -60,7 +60,7 @@ export type LinkFault =
   /** None of the keys is known. */
   | { readonly kind: 'unknown' };
 
-export type Opened =
+type ParsedLink =
   | { readonly kind: 'shared'; readonly shared: Shared }
   | { readonly kind: 'fault'; readonly fault: LinkFault };
 
@@ -81,9 +81,9 @@ const KEYS = {
   solution: 'a',
   name: 'n',
 } as const;
-const KNOWN: ReadonlySet<string> = new Set(Object.values(KEYS));
+const KNOWN_KEYS: ReadonlySet<string> = new Set(Object.values(KEYS));
 /** Most characters of a text that is not a program, setup or sentence. */
-const SHORT = 200;
+const MAX_FIELD_LENGTH = 200;
 /** Most characters of a name. */
 export const NAME_LIMIT = 80;
 
@@ -93,9 +93,9 @@ export type MadeLink =
   | { readonly kind: 'too-long'; readonly length: number; readonly limit: number };
 
 /** Makes the part of an address from `#`. */
-export async function linkOf(shared: Shared): Promise<MadeLink> {
+export async function makeLink(shared: Shared): Promise<MadeLink> {
   const { text, setup, control, blockSkip, program, language, view, step, file, task, name } = shared;
-  const said = [
+  const entries = [
     [KEYS.text, text],
     [KEYS.setup, setup],
     [KEYS.control, control],
@@ -111,8 +111,8 @@ export async function linkOf(shared: Shared): Promise<MadeLink> {
     [KEYS.solution, task?.solution ?? null],
     [KEYS.name, name],
   ] as const;
-  const json = JSON.stringify(Object.fromEntries(said.filter(([, value]) => value !== null)));
-  const characters = await packed(json);
+  const json = JSON.stringify(Object.fromEntries(entries.filter(([, value]) => value !== null)));
+  const characters = await pack(json);
   if (characters === undefined) return { kind: 'too-long', length: json.length, limit: UNPACKED_LIMIT };
   const link = `#share=${VERSION}.${characters}`;
   return link.length > LINK_LIMIT
@@ -121,18 +121,18 @@ export async function linkOf(shared: Shared): Promise<MadeLink> {
 }
 
 /** `hash` begins with `#share=`. */
-export async function openedLink(hash: string): Promise<Opened> {
+export async function parseLink(hash: string): Promise<ParsedLink> {
   // Mail programs break long lines.
-  const said = hash.length > LINK_LIMIT ? hash : hash.replace(/^#share=/, '').replace(/\s|%20|%0[AD]/gi, '');
-  if (said.length > LINK_LIMIT) return fault({ kind: 'too-long', length: said.length, limit: LINK_LIMIT });
-  const version = /^(\d{1,6})(?:\.|$)/.exec(said);
-  if (version === null) return fault(said === '' ? { kind: 'cut', missing: undefined } : { kind: 'damaged' });
+  const body = hash.length > LINK_LIMIT ? hash : hash.replace(/^#share=/, '').replace(/\s|%20|%0[AD]/gi, '');
+  if (body.length > LINK_LIMIT) return fault({ kind: 'too-long', length: body.length, limit: LINK_LIMIT });
+  const version = /^(\d{1,6})(?:\.|$)/.exec(body);
+  if (version === null) return fault(body === '' ? { kind: 'cut', missing: undefined } : { kind: 'damaged' });
   if (Number(version[1]) > VERSION) return fault({ kind: 'newer', version: Number(version[1]) });
   if (Number(version[1]) !== VERSION) return fault({ kind: 'damaged' });
-  const found = await unpacked(said.slice(version[0].length));
+  const found = await unpack(body.slice(version[0].length));
   switch (found.kind) {
     case 'text': {
-      const shared = sharedOf(found.text);
+      const shared = parseShared(found.text);
       return shared === undefined ? fault({ kind: 'damaged' }) : { kind: 'shared', shared };
     }
     case 'cut':
@@ -141,17 +141,17 @@ export async function openedLink(hash: string): Promise<Opened> {
       return fault(found);
     case 'too-long':
       return fault({ kind: 'unpacked-too-long', limit: found.limit });
-    case 'not-here':
+    case 'unsupported':
       return fault({ kind: 'browser-too-old' });
   }
 }
 
-function fault(fault: LinkFault): Opened {
+function fault(fault: LinkFault): ParsedLink {
   return { kind: 'fault', fault };
 }
 
 /** Undefined if a field is invalid, or unknown in this version. */
-function sharedOf(json: string): Shared | undefined {
+function parseShared(json: string): Shared | undefined {
   let parsed: unknown;
   try {
     parsed = JSON.parse(json);
@@ -159,13 +159,13 @@ function sharedOf(json: string): Shared | undefined {
     return undefined;
   }
   if (typeof parsed !== 'object' || parsed === null || Array.isArray(parsed)) return undefined;
-  const said = new Map<string, unknown>(Object.entries(parsed));
-  const flag = said.get(KEYS.readonly);
-  said.delete(KEYS.readonly);
+  const fields = new Map<string, unknown>(Object.entries(parsed));
+  const flag = fields.get(KEYS.readonly);
+  fields.delete(KEYS.readonly);
   if (flag !== undefined && flag !== 1) return undefined;
-  for (const [key, value] of said) if (!KNOWN.has(key) || typeof value !== 'string') return undefined;
-  const field = (key: keyof typeof KEYS): string | null => (said.get(KEYS[key]) as string | undefined) ?? null;
-  const short = [
+  for (const [key, value] of fields) if (!KNOWN_KEYS.has(key) || typeof value !== 'string') return undefined;
+  const field = (key: keyof typeof KEYS): string | null => (fields.get(KEYS[key]) as string | undefined) ?? null;
+  const shortFields = [
     field('control'),
     field('blockSkip'),
     field('program'),
@@ -181,7 +181,11 @@ function sharedOf(json: string): Shared | undefined {
     field('encoding'),
     field('name'),
   ];
-  if (text === null || short.some((text) => (text?.length ?? 0) > SHORT) || (fileName === null) !== (encoding === null))
+  if (
+    text === null ||
+    shortFields.some((text) => (text?.length ?? 0) > MAX_FIELD_LENGTH) ||
+    (fileName === null) !== (encoding === null)
+  )
     return undefined;
   if ((name?.length ?? 0) > NAME_LIMIT) return undefined;
   if (field('sentence') !== null && solution === null) return undefined;

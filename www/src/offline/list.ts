@@ -4,7 +4,7 @@
 // stored or served.
 
 /** One build of the page. */
-export interface Listed {
+export interface BuildManifest {
   /** Hash of the list. */
   readonly version: string;
   /** Each file with the first digits of its SHA-256, hexadecimal. */
@@ -14,24 +14,24 @@ export interface Listed {
 }
 
 /** Folders whose files are stored in one pack: a thousand small pages would be a thousand requests. */
-const PACKED = /^(docs|examples|rules\/(?:en|zh|ru|pictures))\//;
+const PACKED_FOLDERS = /^(docs|examples|rules\/(?:en|zh|ru|pictures))\//;
 /** Folders of files that may belong to another version. */
-const OURS = /^(assets|docs|examples|icons|offline|rules)\//;
+const PAGE_FOLDERS = /^(assets|docs|examples|icons|offline|rules)\//;
 
 /** The pack that contains a file; undefined if the file is stored separately. */
 export function packOf(path: string): string | undefined {
-  const folder = PACKED.exec(path)?.[1];
+  const folder = PACKED_FOLDERS.exec(path)?.[1];
   return folder === undefined ? undefined : `offline/${folder.replace('/', '-')}.json`;
 }
 
 /** The path of a file of the page, by its address; undefined if it cannot be one. */
-export function pathOf(address: string, scope: string, files: Listed['files']): string | undefined {
+export function pathOf(address: string, scope: string, files: BuildManifest['files']): string | undefined {
   const { origin, pathname } = new URL(address);
   const folder = new URL(scope);
   if (origin !== folder.origin || !pathname.startsWith(folder.pathname)) return undefined;
   const rest = pathname.slice(folder.pathname.length);
   const path = rest === '' || rest.endsWith('/') ? `${rest}index.html` : rest;
-  return path in files || OURS.test(path) ? path : undefined;
+  return path in files || PAGE_FOLDERS.test(path) ? path : undefined;
 }
 
 const TYPES: Readonly<Record<string, string>> = {

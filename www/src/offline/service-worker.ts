@@ -4,17 +4,17 @@
 // listed come from the network. A new version waits until the user accepts it. Only the page registers the worker,
 // never the element in another site. Must not know: the contents of a file.
 
-import { pathOf, type Listed } from './list';
+import { pathOf, type BuildManifest } from './list';
 import { TAKE_OVER } from './take-over';
-import { adopt, begin, begunWith, fill, find, tidy } from './stores';
+import { assignMissingVersions, assignVersion, versionOfTab, storeBuild, findFile, deleteUnusedCaches } from './stores';
 
 declare const self: ServiceWorkerGlobalScope;
 /** Inserted by the build. */
-declare const LISTED_BY_THE_BUILD: Listed;
+declare const BUILD_MANIFEST: BuildManifest;
 
-const LISTED = LISTED_BY_THE_BUILD;
+const MANIFEST = BUILD_MANIFEST;
 
-self.addEventListener('install', (event) => event.waitUntil(fill(LISTED)));
+self.addEventListener('install', (event) => event.waitUntil(storeBuild(MANIFEST)));
 
 self.addEventListener('activate', (event) => event.waitUntil(activate()));
 
@@ -24,7 +24,7 @@ self.addEventListener('message', ({ data }) => {
 
 self.addEventListener('fetch', (event) => {
   const { request } = event;
-  const path = request.method === 'GET' ? pathOf(request.url, self.registration.scope, LISTED.files) : undefined;
+  const path = request.method === 'GET' ? pathOf(request.url, self.registration.scope, MANIFEST.files) : undefined;
   if (path === undefined) return;
   event.respondWith(answer(event, path));
 });
@@ -32,18 +32,19 @@ self.addEventListener('fetch', (event) => {
 async function activate(): Promise<void> {
   // From now on, the tab of the first visit is served by this worker, too.
   await self.clients.claim();
-  await adopt(LISTED.version);
-  await tidy(LISTED.version);
+  await assignMissingVersions(MANIFEST.version);
+  await deleteUnusedCaches(MANIFEST.version);
 }
 
 async function answer(event: FetchEvent, path: string): Promise<Response> {
   const { request, clientId, resultingClientId } = event;
-  const opens = request.mode === 'navigate';
-  if (opens && resultingClientId !== '') {
-    await begin(resultingClientId, LISTED.version);
-    event.waitUntil(tidy(LISTED.version));
+  const isNavigation = request.mode === 'navigate';
+  if (isNavigation && resultingClientId !== '') {
+    await assignVersion(resultingClientId, MANIFEST.version);
+    event.waitUntil(deleteUnusedCaches(MANIFEST.version));
   }
-  const version = opens || clientId === '' ? LISTED.version : ((await begunWith(clientId)) ?? LISTED.version);
+  const version =
+    isNavigation || clientId === '' ? MANIFEST.version : ((await versionOfTab(clientId)) ?? MANIFEST.version);
   // A browser that is low on storage may have deleted files.
-  return (await find(path, version)) ?? fetch(request);
+  return (await findFile(path, version)) ?? fetch(request);
 }

@@ -4,21 +4,21 @@
 // an update, or of a network with a login page, are rejected. A cache is deleted once no tab needs it. Must not know:
 // who requests a file.
 
-import { packOf, typeOf, type Listed } from './list';
+import { packOf, typeOf, type BuildManifest } from './list';
 
 declare const self: ServiceWorkerGlobalScope;
 
 /** Other playgrounds may exist in other folders of the same origin. */
-const OWN = `gcode-playground ${new URL(self.registration.scope).pathname} `;
-const TABS = `${OWN}tabs`;
+const CACHE_PREFIX = `gcode-playground ${new URL(self.registration.scope).pathname} `;
+const TABS_CACHE = `${CACHE_PREFIX}tabs`;
 /** The list of files in a cache, stored once all of them are stored. */
-const WHOLE = 'offline-files.json';
+const FILE_LIST = 'offline-files.json';
 /** Parallel requests, few, so that the page's own requests come first. */
-const AT_ONCE = 4;
+const MAX_PARALLEL_REQUESTS = 4;
 /** For this time, ms, a tab that is being opened may be missing from the browser's list of clients. */
-const OPENS_WITHIN_MS = 60_000;
+const TAB_OPENING_MS = 60_000;
 
-type Files = Listed['files'];
+type Files = BuildManifest['files'];
 type Pack = Readonly<Record<string, string>>;
 
 interface Tab {
@@ -27,46 +27,46 @@ interface Tab {
 }
 
 const address = (path: string): string => new URL(path, self.registration.scope).href;
-const store = (version: string): Promise<Cache> => caches.open(OWN + version);
+const openCache = (version: string): Promise<Cache> => caches.open(CACHE_PREFIX + version);
 
 /** The stored versions, the newest last. */
-async function versions(): Promise<string[]> {
+async function storedVersions(): Promise<string[]> {
   return (await caches.keys())
-    .filter((name) => name.startsWith(OWN) && name !== TABS)
-    .map((name) => name.slice(OWN.length));
+    .filter((name) => name.startsWith(CACHE_PREFIX) && name !== TABS_CACHE)
+    .map((name) => name.slice(CACHE_PREFIX.length));
 }
 
 /** Stores a build. Unchanged files are copied from earlier versions, not fetched again. */
-export async function fill({ version, files, entry }: Listed): Promise<void> {
-  const own = await store(version);
-  const there = new Set((await own.keys()).map(({ url }) => url));
-  const before = await Promise.all(
-    (await versions())
+export async function storeBuild({ version, files, entry }: BuildManifest): Promise<void> {
+  const cache = await openCache(version);
+  const storedAddresses = new Set((await cache.keys()).map(({ url }) => url));
+  const earlier = await Promise.all(
+    (await storedVersions())
       .filter((other) => other !== version)
-      .map(async (other) => ({ store: await store(other), files: await filesOf(other) })),
+      .map(async (other) => ({ store: await openCache(other), files: await filesOf(other) })),
   );
-  const missing = Object.entries(files).filter(([path]) => !there.has(address(path)));
+  const missing = Object.entries(files).filter(([path]) => !storedAddresses.has(address(path)));
   const copy = async (path: string, hash: string): Promise<Response | undefined> => {
-    const other = before.find(({ files }) => files[path] === hash);
+    const other = earlier.find(({ files }) => files[path] === hash);
     return other?.store.match(address(path));
   };
-  const next = async (): Promise<void> => {
+  const storeNext = async (): Promise<void> => {
     for (let file = missing.shift(); file !== undefined; file = missing.shift()) {
       const [path, hash] = file;
-      await own.put(address(path), (await copy(path, hash)) ?? (await fetched(path, hash, entry)));
+      await cache.put(address(path), (await copy(path, hash)) ?? (await fetchListed(path, hash, entry)));
     }
   };
-  await Promise.all(Array.from({ length: AT_ONCE }, next));
-  await own.put(address(WHOLE), new Response(JSON.stringify(files)));
+  await Promise.all(Array.from({ length: MAX_PARALLEL_REQUESTS }, storeNext));
+  await cache.put(address(FILE_LIST), new Response(JSON.stringify(files)));
 }
 
 async function filesOf(version: string): Promise<Files> {
-  const list = await (await store(version)).match(address(WHOLE));
+  const list = await (await openCache(version)).match(address(FILE_LIST));
   return list === undefined ? {} : ((await list.json()) as Files);
 }
 
 /** Fetches a file and verifies that it is the listed one. */
-async function fetched(path: string, hash: string, entry: string): Promise<Response> {
+async function fetchListed(path: string, hash: string, entry: string): Promise<Response> {
   const response = await fetch(address(path), { cache: 'no-cache', credentials: 'same-origin' });
   const bytes = await response.arrayBuffer();
   // Some servers insert a line into a page: accept it if it names the right script.
@@ -102,10 +102,10 @@ const packs = new Map<string, Promise<{ readonly pack: Pack; readonly response: 
  * A file of a version. A script that this version lacks comes from any other: its name contains the hash of its
  * content.
  */
-export async function find(path: string, version: string): Promise<Response | undefined> {
+export async function findFile(path: string, version: string): Promise<Response | undefined> {
   const own = await findIn(path, version);
   if (own !== undefined || !path.startsWith('assets/')) return own;
-  for (const other of await versions()) {
+  for (const other of await storedVersions()) {
     const found = await findIn(path, other);
     if (found !== undefined) return found;
   }
@@ -114,7 +114,7 @@ export async function find(path: string, version: string): Promise<Response | un
 
 async function findIn(path: string, version: string): Promise<Response | undefined> {
   const name = packOf(path);
-  if (name === undefined) return (await store(version)).match(address(path));
+  if (name === undefined) return (await openCache(version)).match(address(path));
   const found = await readPack(name, version);
   const text = found?.pack[path];
   return found === undefined || text === undefined
@@ -127,10 +127,10 @@ function readPack(
   version: string,
 ): Promise<{ readonly pack: Pack; readonly response: Response } | undefined> {
   const key = `${version} ${name}`;
-  const known = packs.get(key);
-  if (known !== undefined) return known;
+  const cached = packs.get(key);
+  if (cached !== undefined) return cached;
   const reading = (async () => {
-    const response = await (await store(version)).match(address(name));
+    const response = await (await openCache(version)).match(address(name));
     return response === undefined ? undefined : { pack: (await response.clone().json()) as Pack, response };
   })();
   packs.set(key, reading);
@@ -140,36 +140,36 @@ function readPack(
 // ---- tabs -----------------------------------------------------------------------------------------
 
 /** Stores the version that a tab begins with; the tab keeps it. */
-export async function begin(tab: string, version: string): Promise<void> {
+export async function assignVersion(tab: string, version: string): Promise<void> {
   const entry: Tab = { version, since: Date.now() };
-  await (await caches.open(TABS)).put(address(`tabs/${tab}`), new Response(JSON.stringify(entry)));
+  await (await caches.open(TABS_CACHE)).put(address(`tabs/${tab}`), new Response(JSON.stringify(entry)));
 }
 
 /** The version that a tab began with, if known. */
-export async function begunWith(tab: string): Promise<string | undefined> {
-  const entry = await (await caches.open(TABS)).match(address(`tabs/${tab}`));
+export async function versionOfTab(tab: string): Promise<string | undefined> {
+  const entry = await (await caches.open(TABS_CACHE)).match(address(`tabs/${tab}`));
   return entry === undefined ? undefined : ((await entry.json()) as Tab).version;
 }
 
 /** Tabs that came from the network have the newest version. */
-export async function adopt(version: string): Promise<void> {
+export async function assignMissingVersions(version: string): Promise<void> {
   for (const { id } of await self.clients.matchAll({ type: 'window' }))
-    if ((await begunWith(id)) === undefined) await begin(id, version);
+    if ((await versionOfTab(id)) === undefined) await assignVersion(id, version);
 }
 
 /** Deletes the caches that no tab needs, except `current`; deletes nothing while another version is being installed. */
-export async function tidy(current: string): Promise<void> {
+export async function deleteUnusedCaches(current: string): Promise<void> {
   if (self.registration.installing !== null || self.registration.waiting !== null) return;
   const open = new Set(
     (await self.clients.matchAll({ type: 'all', includeUncontrolled: true })).map(({ id }) => address(`tabs/${id}`)),
   );
-  const tabs = await caches.open(TABS);
+  const tabs = await caches.open(TABS_CACHE);
   const used = new Set([current]);
   for (const request of await tabs.keys()) {
     const tab = (await (await tabs.match(request))?.json()) as Tab | undefined;
     if (tab === undefined) continue;
-    if (open.has(request.url) || Date.now() - tab.since < OPENS_WITHIN_MS) used.add(tab.version);
+    if (open.has(request.url) || Date.now() - tab.since < TAB_OPENING_MS) used.add(tab.version);
     else await tabs.delete(request);
   }
-  for (const version of await versions()) if (!used.has(version)) await caches.delete(OWN + version);
+  for (const version of await storedVersions()) if (!used.has(version)) await caches.delete(CACHE_PREFIX + version);
 }

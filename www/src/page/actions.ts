@@ -3,12 +3,12 @@
 // In: the table of actions, and the `PageHost` passed to them. Out: their buttons. The code of an action is loaded on
 // first use. Must not know: the actions themselves.
 
-import { icon, make, name, type IconName } from '../dom/dom';
-import { loaded } from '../dom/network';
+import { icon, make, setAccessibleName, type IconName } from '../dom/dom';
+import { importWithRetry } from '../dom/network';
 import { words, type Words } from '../dom/words';
 import type { PageHost } from './page-host';
 
-export interface Action {
+interface Action {
   readonly id: string;
   /** In the header, or in its "more" menu. */
   readonly place: 'header' | 'more';
@@ -25,26 +25,26 @@ const ACTIONS: readonly Action[] = [
     place: 'header',
     icon: 'folder',
     label: { en: 'My programs', zh: '我的程序', ru: 'Мои программы' },
-    load: async () => (await loaded(() => import('./own-programs-dialog'))).openOwnPrograms,
+    load: async () => (await importWithRetry(() => import('./own-programs-dialog'))).openOwnPrograms,
   },
   {
     id: 'share',
     place: 'header',
     icon: 'share',
     label: words({ en: 'Share', zh: '分享', ru: 'Поделиться' }),
-    load: async () => (await loaded(() => import('./share-dialog'))).share,
+    load: async () => (await importWithRetry(() => import('./share-dialog'))).share,
   },
   {
     id: 'compare',
     place: 'more',
     label: words({ en: 'Compare with another version', zh: '与其他版本比较', ru: 'Сравнить с другой версией' }),
-    load: async () => (await loaded(() => import('./compare-dialog'))).compare,
+    load: async () => (await importWithRetry(() => import('./compare-dialog'))).compare,
   },
   {
     id: 'report',
     place: 'more',
     label: words({ en: 'My machine does otherwise', zh: '我的机床动作不同', ru: 'Мой станок делает иначе' }),
-    load: async () => (await loaded(() => import('./report-dialog'))).report,
+    load: async () => (await importWithRetry(() => import('./report-dialog'))).report,
   },
 ];
 
@@ -57,21 +57,21 @@ export class Actions {
     icon('more'),
   );
   readonly #menu = make('div', { id: 'more-actions', hidden: true });
-  readonly #failed = make('p', { id: 'action-failed', role: 'status' });
+  readonly #error = make('p', { id: 'action-failed', role: 'status' });
 
   /** Appends the buttons to `into`. */
   constructor(into: HTMLElement, host: PageHost) {
     this.#host = host;
     for (const action of ACTIONS) this.#buttons.set(action, this.#button(action));
-    const placed = (place: Action['place']): HTMLButtonElement[] =>
+    const buttonsAt = (place: Action['place']): HTMLButtonElement[] =>
       ACTIONS.flatMap((action) => (action.place === place ? (this.#buttons.get(action) ?? []) : []));
-    into.append(...placed('header'));
-    const seldom = placed('more');
-    if (seldom.length > 0) {
-      this.#menu.append(...seldom);
+    into.append(...buttonsAt('header'));
+    const menuButtons = buttonsAt('more');
+    if (menuButtons.length > 0) {
+      this.#menu.append(...menuButtons);
       into.append(make('div', { className: 'more' }, this.#more, this.#menu));
     }
-    into.append(this.#failed);
+    into.append(this.#error);
     this.#more.addEventListener('click', () => this.#open(this.#menu.hidden ? 'open' : 'closed'));
     into.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape' || this.#menu.hidden) return;
@@ -86,9 +86,9 @@ export class Actions {
   }
 
   /** Runs the action, as a click on its button does. */
-  act(id: string): void {
+  run(id: string): void {
     const action = ACTIONS.find((action) => action.id === id);
-    if (action !== undefined) void this.#do(action);
+    if (action !== undefined) void this.#run(action);
   }
 
   showLanguage(): void {
@@ -100,8 +100,8 @@ export class Actions {
         button.replaceChildren(icon(action.icon), make('span', { className: 'label' }, label));
       }
     }
-    name(this.#more, WORDS[this.#host.language].more);
-    this.#failed.textContent = '';
+    setAccessibleName(this.#more, WORDS[this.#host.language].more);
+    this.#error.textContent = '';
   }
 
   #open(state: 'open' | 'closed'): void {
@@ -113,21 +113,21 @@ export class Actions {
     const button = make('button', { type: 'button', id: `action-${action.id}`, 'aria-haspopup': 'dialog' });
     button.addEventListener('click', () => {
       this.#open('closed');
-      void this.#do(action);
+      void this.#run(action);
     });
     return button;
   }
 
-  async #do(action: Action): Promise<void> {
-    let act: (host: PageHost) => void;
+  async #run(action: Action): Promise<void> {
+    let run: (host: PageHost) => void;
     try {
-      act = await action.load();
+      run = await action.load();
     } catch {
-      this.#failed.textContent = WORDS[this.#host.language].notLoaded;
+      this.#error.textContent = WORDS[this.#host.language].notLoaded;
       return;
     }
-    this.#failed.textContent = '';
-    act(this.#host);
+    this.#error.textContent = '';
+    run(this.#host);
   }
 }
 

@@ -4,7 +4,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import type { GcodePlayground } from '../shell/element';
 import { find, label } from './find';
-import { choices, keepChoices } from './storage';
+import { readChoices, saveChoices } from './storage';
 import { PAGE_WORDS } from './words';
 
 const THEMES = ['auto', 'light', 'dark'] as const;
@@ -20,15 +20,15 @@ export class Appearance {
     this.#playground = playground;
     for (const value of THEMES) this.#theme.append(make('option', { value }));
     for (const value of TEXT_SIZES) this.#textSize.append(make('option', { value }, `${value} %`));
-    const { theme, textSize } = choices();
+    const { theme, textSize } = readChoices();
     this.#showTheme(THEMES.find((known) => known === theme) ?? 'auto');
     this.#showTextSize(TEXT_SIZES.find((known) => known === textSize) ?? '100');
     this.#theme.addEventListener('change', () => {
-      keepChoices({ theme: this.#theme.value });
+      saveChoices({ theme: this.#theme.value });
       this.#showTheme(this.#theme.value);
     });
     this.#textSize.addEventListener('change', () => {
-      keepChoices({ textSize: this.#textSize.value });
+      saveChoices({ textSize: this.#textSize.value });
       this.#showTextSize(this.#textSize.value);
     });
   }

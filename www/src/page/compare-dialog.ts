@@ -9,12 +9,12 @@ import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
 import type { Language } from '../dom/language';
-import { loaded } from '../dom/network';
+import { importWithRetry } from '../dom/network';
 import { COMMON } from '../dom/words';
-import { offerOwn, type OtherProgram } from './compare-own';
-import { result } from './compare-result';
+import { fillOwnPrograms, type OtherProgram } from './compare-own';
+import { renderResult } from './compare-result';
 import { COMPARE_WORDS } from './compare-words';
-import { inAddress } from './linked';
+import { parseAddress } from './linked';
 import type { PageHost } from './page-host';
 
 let dialog: CompareDialog | undefined;
@@ -51,7 +51,7 @@ class CompareDialog {
   readonly #dialog = new Dialog('compare', [this.#body]);
   #host: PageHost | undefined;
   /** Number of requests (reading a file, comparing); a late answer to an earlier one is dropped. */
-  #asked = 0;
+  #requestCount = 0;
 
   constructor() {
     document.body.append(this.#dialog.element);
@@ -59,14 +59,14 @@ class CompareDialog {
     this.#file.addEventListener('change', () => {
       const [file] = this.#file.files ?? [];
       this.#file.value = '';
-      if (file !== undefined) void this.#read(file);
+      if (file !== undefined) void this.#readFile(file);
     });
     acceptFiles(this.#dialog.element, {
       hint: () => COMMON[this.#language].dropHere,
-      dropped: (file) => void this.#read(file),
+      onDrop: (file) => void this.#readFile(file),
     });
-    this.#compare.addEventListener('click', () => void this.#typed().then((other) => this.show(other)));
-    this.#dialog.element.addEventListener('close', () => this.#asked++);
+    this.#compare.addEventListener('click', () => void this.#readInput().then((other) => this.show(other)));
+    this.#dialog.element.addEventListener('close', () => this.#requestCount++);
   }
 
   get #language(): Language {
@@ -76,7 +76,7 @@ class CompareDialog {
   open(host: PageHost): void {
     this.#host = host;
     const texts = COMPARE_WORDS[host.language];
-    this.#dialog.name(texts.title, COMMON[host.language].close);
+    this.#dialog.setTexts(texts.title, COMMON[host.language].close);
     this.#dialog.about = texts.about;
     this.#caption.textContent = texts.other;
     this.#text.placeholder = texts.hint;
@@ -84,8 +84,8 @@ class CompareDialog {
     this.#open.textContent = texts.openFile;
     this.#result.setAttribute('aria-label', texts.result);
     this.#own.setAttribute('aria-label', texts.own);
-    void offerOwn(this.#own, host, host.language, (other) => void this.show(other));
-    this.#say('', undefined);
+    void fillOwnPrograms(this.#own, host, host.language, (other) => void this.show(other));
+    this.#showOutcome('', undefined);
     this.#dialog.show();
     this.#text.focus();
   }
@@ -96,51 +96,54 @@ class CompareDialog {
     if (host === undefined) return;
     const texts = COMPARE_WORDS[host.language];
     if (other.text.trim() === '') {
-      this.#say(texts.nothing, undefined);
+      this.#showOutcome(texts.nothing, undefined);
       return;
     }
-    const own = ++this.#asked;
-    this.#say(texts.comparing, undefined);
+    const request = ++this.#requestCount;
+    this.#showOutcome(texts.comparing, undefined);
     const names = [
       other.name,
       host.program.file?.name ?? host.example?.title[host.language] ?? texts.thisProgram,
     ] as const;
     const found = await host.playground.differenceFrom({ text: other.text, names }).catch(() => undefined);
-    if (own !== this.#asked) return;
+    if (request !== this.#requestCount) return;
     if (found === undefined) {
-      this.#say(texts.failed, undefined);
+      this.#showOutcome(texts.failed, undefined);
       return;
     }
     const { sameText, sameMotions, hunks } = found.rows;
     const differ = sameMotions ? texts.textAlone : texts.differ(hunks.length);
-    this.#say(
+    this.#showOutcome(
       sameText && sameMotions ? texts.same : differ,
-      result(found, { names, language: host.language, goTo: (line) => this.#goTo(line) }),
+      renderResult(found, { names, language: host.language, goTo: (line) => this.#goTo(line) }),
     );
   }
 
   /** The content of the text field: a program, or a link that contains one. */
-  async #typed(): Promise<OtherProgram> {
+  async #readInput(): Promise<OtherProgram> {
     const text = this.#text.value;
     const { otherVersion } = COMPARE_WORDS[this.#language];
     const address = text.trim();
     if (/^https?:\/\/\S+$/.test(address) && URL.canParse(address)) {
-      const found = await inAddress(new URL(address).hash);
+      const found = await parseAddress(new URL(address).hash);
       return { name: otherVersion, text: found.kind === 'linked' ? found.linked.text : '' };
     }
     return { name: otherVersion, text };
   }
 
-  async #read(file: File): Promise<void> {
-    const own = ++this.#asked;
+  async #readFile(file: File): Promise<void> {
+    const request = ++this.#requestCount;
     const texts = COMPARE_WORDS[this.#language];
-    this.#say(texts.comparing, undefined);
-    const part = await loaded(() => import('../editor/read-program')).catch(() => undefined);
-    if (part === undefined) return this.#say(texts.failed, undefined);
-    const opened = await part.readProgram(file);
-    if (own !== this.#asked) return;
+    this.#showOutcome(texts.comparing, undefined);
+    const module = await importWithRetry(() => import('../editor/read-program')).catch(() => undefined);
+    if (module === undefined) return this.#showOutcome(texts.failed, undefined);
+    const opened = await module.readProgram(file);
+    if (request !== this.#requestCount) return;
     if (opened.kind !== 'text') {
-      this.#say(opened.kind === 'too-large' ? texts.tooLarge(opened.name) : texts.unreadable(opened.name), undefined);
+      this.#showOutcome(
+        opened.kind === 'too-large' ? texts.tooLarge(opened.name) : texts.unreadable(opened.name),
+        undefined,
+      );
       return;
     }
     await this.show({ name: file.name, text: opened.program.pieces.join('') });
@@ -152,9 +155,9 @@ class CompareDialog {
     this.#host?.playground.goToLine(line);
   }
 
-  #say(status: string, shown: HTMLElement | undefined): void {
+  #showOutcome(status: string, outcome: HTMLElement | undefined): void {
     this.#status.textContent = status;
-    this.#result.replaceChildren(...(shown === undefined ? [] : [shown]));
-    this.#result.hidden = shown === undefined;
+    this.#result.replaceChildren(...(outcome === undefined ? [] : [outcome]));
+    this.#result.hidden = outcome === undefined;
   }
 }

@@ -1,17 +1,17 @@
 // The list of the user's saved programs and of earlier states of the open one, to compare with.
 //
-// In: the `PageHost` and the list of saved programs. Out: a call of `chosen` with text and name. The list is hidden if
-// nothing is saved or the browser has no storage. Must not know: how programs are saved or compared.
+// In: the `PageHost` and the list of saved programs. Out: a call of `onChoose` with text and name. The list is hidden
+// if nothing is saved or the browser has no storage. Must not know: how programs are saved or compared.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMPARE_WORDS } from './compare-words';
-import { listPrograms, programOf, programOfState, statesOf } from './own-programs-store';
+import { listPrograms, readProgram, readState, readStates } from './own-programs-store';
 import type { PageHost } from './page-host';
-import type { KeptProgram } from './storage';
+import type { SavedProgram } from './storage';
 
 /** Maximum number of entries of each kind; the rest are in "My programs…" only. */
-const MOST_LISTED = 100;
+const MAX_LISTED = 100;
 
 /** A version to compare with, and its display name. */
 export interface OtherProgram {
@@ -21,40 +21,40 @@ export interface OtherProgram {
 
 interface Choice {
   readonly name: string;
-  readonly load: () => Promise<KeptProgram | undefined>;
+  readonly load: () => Promise<SavedProgram | undefined>;
 }
 
 /** The available choices: earlier states of the program, then other programs. */
-async function choices(
-  { keeping: { id } }: PageHost,
+async function loadChoices(
+  { saver: { id } }: PageHost,
   language: Language,
 ): Promise<readonly [states: readonly Choice[], programs: readonly Choice[]]> {
   const texts = COMPARE_WORDS[language];
   const date = new Intl.DateTimeFormat(language, { dateStyle: 'medium', timeStyle: 'short' });
-  const [states, programs] = await Promise.all([id === undefined ? [] : statesOf(id), listPrograms()]);
+  const [states, programs] = await Promise.all([id === undefined ? [] : readStates(id), listPrograms()]);
   return [
     states
-      .slice(0, MOST_LISTED)
-      .map((state) => ({ name: date.format(state.time), load: () => programOfState(id ?? '', state) })),
+      .slice(0, MAX_LISTED)
+      .map((state) => ({ name: date.format(state.time), load: () => readState(id ?? '', state) })),
     programs
       .filter((own) => own.id !== id)
-      .slice(0, MOST_LISTED)
+      .slice(0, MAX_LISTED)
       .map((own) => ({
         name: `${own.name === '' ? texts.unnamed : own.name} · ${date.format(own.changed)}`,
-        load: () => programOf(own.id),
+        load: () => readProgram(own.id),
       })),
   ];
 }
 
-/** Fills `select`, which stays hidden if there is no choice, and calls `chosen` for each selection. */
-export async function offerOwn(
+/** Fills `select`, which stays hidden if there is no choice, and calls `onChoose` for each selection. */
+export async function fillOwnPrograms(
   select: HTMLSelectElement,
   host: PageHost,
   language: Language,
-  chosen: (other: OtherProgram) => void,
+  onChoose: (other: OtherProgram) => void,
 ): Promise<void> {
   const texts = COMPARE_WORDS[language];
-  const [states, programs] = await choices(host, language).catch(() => [[], []] as const);
+  const [states, programs] = await loadChoices(host, language).catch(() => [[], []] as const);
   const all = [...states, ...programs];
   const group = (label: string, own: readonly Choice[]): HTMLElement[] =>
     own.length === 0
@@ -78,6 +78,6 @@ export async function offerOwn(
     void choice
       .load()
       .catch(() => undefined)
-      .then((program) => chosen({ name: choice.name, text: program?.text ?? '' }));
+      .then((program) => onChoose({ name: choice.name, text: program?.text ?? '' }));
   };
 }

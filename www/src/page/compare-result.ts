@@ -3,9 +3,9 @@
 // In: the answer of the interpreter, with texts already in the user's language. Out: one element with blocks side by
 // side, their effects, totals, messages and the drawing. Must not know: where it is shown.
 
-import { make, prose } from '../dom/dom';
+import { make, renderProse } from '../dom/dom';
 import type { Language } from '../dom/language';
-import type { Differed, ProgramDifference } from '../protocol/protocol';
+import type { DifferenceResult, ProgramDifference } from '../protocol/protocol';
 import { COMPARE_WORDS } from './compare-words';
 
 type Hunk = ProgramDifference['hunks'][number];
@@ -16,7 +16,7 @@ type Block = NonNullable<Row['first']>;
 type Names = readonly [string, string];
 
 /** Options for rendering the result. */
-interface Shown {
+interface RenderOptions {
   readonly names: Names;
   readonly language: Language;
   /** Called when the user clicks a line of the second version, from 1. */
@@ -24,18 +24,18 @@ interface Shown {
 }
 
 /** Further hunks are only counted: rendering them all would block the page. */
-const MOST_HUNKS = 200;
+const MAX_HUNKS = 200;
 
-export function result({ rows, drawing }: Differed, shownWith: Shown): HTMLElement {
-  const { names, language } = shownWith;
+export function renderResult({ rows, drawing }: DifferenceResult, options: RenderOptions): HTMLElement {
+  const { names, language } = options;
   const texts = COMPARE_WORDS[language];
   const shown = make('div', { className: 'difference' });
   if (rows.readAs.length > 0) shown.append(changes(rows.readAs));
-  for (const hunk of rows.hunks.slice(0, MOST_HUNKS)) shown.append(hunkShown(hunk, shownWith));
-  const blocks = rows.hunks.slice(MOST_HUNKS).reduce((sum, hunk) => sum + hunk.rows.length, rows.moreBlocks);
+  for (const hunk of rows.hunks.slice(0, MAX_HUNKS)) shown.append(renderHunk(hunk, options));
+  const blocks = rows.hunks.slice(MAX_HUNKS).reduce((sum, hunk) => sum + hunk.rows.length, rows.moreBlocks);
   if (blocks > 0) shown.append(make('p', {}, texts.more(blocks)));
   if (rows.unexplained.blocks > 0)
-    shown.append(later(rows.unexplained, texts.unexplained(rows.unexplained.blocks), shownWith));
+    shown.append(later(rows.unexplained, texts.unexplained(rows.unexplained.blocks), options));
   if (rows.sameText && rows.sameMotions) return shown;
   shown.append(make('h3', {}, texts.totals), totals(rows.totals, names, texts.what));
   shown.append(make('h3', {}, texts.part), part(rows, names, language));
@@ -45,18 +45,22 @@ export function result({ rows, drawing }: Differed, shownWith: Shown): HTMLEleme
   ] as const) {
     if (found.length === 0) continue;
     const items = found.map(({ line, code, message }) =>
-      make('li', {}, lineShown(which, line, texts.line(line), shownWith), `: ${code} `, ...prose(message)),
+      make('li', {}, renderLine(which, line, texts.line(line), options), `: ${code} `, ...renderProse(message)),
     );
     shown.append(make('h3', {}, heading), make('ul', {}, ...items));
   }
-  const picture = drawn(drawing, `${texts.drawing}: ${names.join(', ')}`);
+  const picture = renderDrawing(drawing, `${texts.drawing}: ${names.join(', ')}`);
   if (picture !== undefined)
-    shown.append(make('h3', {}, texts.drawing), make('div', { className: 'paths' }, picture), legend(names, language));
+    shown.append(
+      make('h3', {}, texts.drawing),
+      make('div', { className: 'paths' }, picture),
+      renderLegend(names, language),
+    );
   return shown;
 }
 
-function hunkShown(hunk: Hunk, shownWith: Shown): HTMLElement {
-  const { names, language } = shownWith;
+function renderHunk(hunk: Hunk, options: RenderOptions): HTMLElement {
+  const { names, language } = options;
   const texts = COMPARE_WORDS[language];
   const section = make('section', {});
   for (const row of hunk.rows) {
@@ -64,33 +68,43 @@ function hunkShown(hunk: Hunk, shownWith: Shown): HTMLElement {
       make(
         'div',
         { className: 'pair' },
-        block('first', row.first, names[0], shownWith),
-        block('second', row.second, names[1], shownWith),
+        block('first', row.first, names[0], options),
+        block('second', row.second, names[1], options),
       ),
     );
     if (row.changes.length > 0) section.append(changes(row.changes));
   }
-  const still = hunk.later.blocks === 0 && hunk.rows.every((row) => row.changes.length === 0);
-  if (still) section.append(make('p', { className: 'still' }, texts.still));
-  if (hunk.later.blocks > 0) section.append(later(hunk.later, texts.later(hunk.later.blocks), shownWith));
+  const isMotionUnchanged = hunk.later.blocks === 0 && hunk.rows.every((row) => row.changes.length === 0);
+  if (isMotionUnchanged) section.append(make('p', { className: 'still' }, texts.still));
+  if (hunk.later.blocks > 0) section.append(later(hunk.later, texts.later(hunk.later.blocks), options));
   return section;
 }
 
-function block(which: 'first' | 'second', own: Block | undefined, name: string, shownWith: Shown): HTMLElement {
-  const texts = COMPARE_WORDS[shownWith.language];
+function block(
+  which: 'first' | 'second',
+  version: Block | undefined,
+  name: string,
+  options: RenderOptions,
+): HTMLElement {
+  const texts = COMPARE_WORDS[options.language];
   const tag = which === 'first' ? 'del' : 'ins';
-  if (own === undefined)
+  if (version === undefined)
     return make('div', { className: `block ${tag} none` }, make('span', { className: 'line' }, texts.noBlock));
   const line = make(
     'span',
     { className: 'line' },
-    lineShown(which, own.line, `${name}, ${texts.line(own.line)}`, shownWith),
+    renderLine(which, version.line, `${name}, ${texts.line(version.line)}`, options),
   );
-  return make('div', { className: `block ${tag}` }, line, make(tag, {}, make('code', { lang: 'en' }, own.text)));
+  return make('div', { className: `block ${tag}` }, line, make(tag, {}, make('code', { lang: 'en' }, version.text)));
 }
 
 /** The line of a version; lines of the program on the page are links. */
-function lineShown(which: 'first' | 'second', line: number, text: string, { goTo }: Shown): HTMLElement | string {
+function renderLine(
+  which: 'first' | 'second',
+  line: number,
+  text: string,
+  { goTo }: RenderOptions,
+): HTMLElement | string {
   if (which === 'first') return text;
   const button = make('button', { type: 'button', className: 'link' }, text);
   button.addEventListener('click', () => goTo(line));
@@ -98,25 +112,25 @@ function lineShown(which: 'first' | 'second', line: number, text: string, { goTo
 }
 
 function changes(all: readonly Change[]): HTMLElement {
-  return make('ul', { className: 'changes' }, ...all.map((change) => make('li', {}, told(change))));
+  return make('ul', { className: 'changes' }, ...all.map((change) => make('li', {}, describeChange(change))));
 }
 
-function told({ name, first, second }: Change): string {
+function describeChange({ name, first, second }: Change): string {
   return first === '' && second === '' ? name : `${name}: ${first} → ${second}`;
 }
 
-function later(all: Later, heading: string, shownWith: Shown): HTMLElement {
-  const texts = COMPARE_WORDS[shownWith.language];
+function later(all: Later, heading: string, options: RenderOptions): HTMLElement {
+  const texts = COMPARE_WORDS[options.language];
   const items = all.rows.map((row) => {
-    const own = row.second ?? row.first;
-    const code = make('code', { lang: 'en' }, own?.text ?? '');
-    const line = lineShown(
+    const version = row.second ?? row.first;
+    const code = make('code', { lang: 'en' }, version?.text ?? '');
+    const line = renderLine(
       row.second === undefined ? 'first' : 'second',
-      own?.line ?? 0,
-      texts.line(own?.line ?? 0),
-      shownWith,
+      version?.line ?? 0,
+      texts.line(version?.line ?? 0),
+      options,
     );
-    return make('li', {}, line, ': ', code, ` · ${row.changes.map(told).join('; ')}`);
+    return make('li', {}, line, ': ', code, ` · ${row.changes.map(describeChange).join('; ')}`);
   });
   return make('div', { className: 'later' }, make('p', {}, heading), make('ul', {}, ...items));
 }
@@ -140,8 +154,8 @@ function part({ part: found }: ProgramDifference, names: Names, language: Langua
   if (found === undefined) return make('p', {}, texts.noPart);
   if (found.differences.length === 0) return make('p', {}, texts.samePart);
   const places = found.differences.map(({ only, radial, z }) => {
-    const [from, to] = [radial.from.x, radial.to.x].map(shortened);
-    const [back, front] = z.map(shortened);
+    const [from, to] = [radial.from.x, radial.to.x].map(roundMm);
+    const [back, front] = z.map(roundMm);
     return make(
       'li',
       {},
@@ -151,12 +165,12 @@ function part({ part: found }: ProgramDifference, names: Names, language: Langua
   return make('ul', {}, ...places);
 }
 
-function shortened(mm: number): string {
+function roundMm(mm: number): string {
   return String(Number(mm.toFixed(4)));
 }
 
 /** The legend, in the text size of the page, since the drawing may be small. */
-function legend(names: Names, language: Language): HTMLElement {
+function renderLegend(names: Names, language: Language): HTMLElement {
   const texts = COMPARE_WORDS[language];
   const entries = [
     ['first', texts.onlyIn(names[0])],
@@ -171,7 +185,7 @@ function legend(names: Names, language: Language): HTMLElement {
 }
 
 /** The drawing in the colours of the page, without its own style sheet and legend. */
-function drawn(svg: string, label: string): Element | undefined {
+function renderDrawing(svg: string, label: string): Element | undefined {
   // The page's Content-Security-Policy blocks a style sheet as soon as it is parsed, so remove it before.
   const unstyled = svg.replace(/<style[^>]*>.*?<\/style>/gs, '');
   const parsed = new DOMParser().parseFromString(unstyled, 'image/svg+xml').documentElement;

@@ -4,12 +4,12 @@
 // text is pasted.
 
 import type { Shared } from '../files/shared-link';
-import { writtenLink } from '../files/written-link';
+import { plainTextLink } from '../files/plain-text-link';
 
 /** The element with its program in a `pre`, which is readable without JavaScript. */
 export function elementText(shared: Shared, script: string): string {
   const { text, control, setup, blockSkip, program, language, view, step, readonly } = shared;
-  const said = [
+  const values = [
     ['view', view],
     ['control', control],
     ['block-skip', blockSkip],
@@ -18,14 +18,16 @@ export function elementText(shared: Shared, script: string): string {
     ['step', step],
     ['setup', setup],
   ] as const;
-  const attributes = said.flatMap(([name, value]) => (value === null ? [] : [` ${name}="${escaped(value)}"`])).join('');
+  const attributes = values
+    .flatMap(([name, value]) => (value === null ? [] : [` ${name}="${escapeHtml(value)}"`]))
+    .join('');
   // HTML ignores the line end after `<pre>`.
-  return `<script type="module" src="${escaped(script)}"></script>\n<gcode-playground${attributes}${readonly ? ' readonly' : ''}><pre>\n${escaped(text)}\n</pre></gcode-playground>\n`;
+  return `<script type="module" src="${escapeHtml(script)}"></script>\n<gcode-playground${attributes}${readonly ? ' readonly' : ''}><pre>\n${escapeHtml(text)}\n</pre></gcode-playground>\n`;
 }
 
 /** An `iframe` with the page that contains one element, for platforms that allow no scripts. */
 export function frameText(shared: Shared, page: string, title: string): string {
-  return `<iframe sandbox="allow-scripts allow-popups allow-popups-to-escape-sandbox" title="${escaped(title)}" width="100%" height="480"\n  src="${escaped(`${page}#${writtenLink(shared)}`)}"></iframe>\n`;
+  return `<iframe sandbox="allow-scripts allow-popups allow-popups-to-escape-sandbox" title="${escapeHtml(title)}" width="100%" height="480"\n  src="${escapeHtml(`${page}#${plainTextLink(shared)}`)}"></iframe>\n`;
 }
 
 /** A Markdown link; the characters of `title` that could end it are escaped. */
@@ -33,6 +35,6 @@ export function markdownText(title: string, link: string): string {
   return `[${title.replace(/\s+/g, ' ').replace(/[\\[\]<>*_`]/g, '\\$&')}](<${link}>)`;
 }
 
-function escaped(text: string): string {
+function escapeHtml(text: string): string {
   return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 }

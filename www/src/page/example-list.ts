@@ -3,9 +3,9 @@
 // In: the current example. Out: the example that the user selects. The list is loaded after the first picture, or when
 // the user opens it; the gallery's dialog when it is first opened. Must not know: how an example is loaded.
 
-import { icon, make, name } from '../dom/dom';
+import { icon, make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
-import { loaded } from '../dom/network';
+import { importWithRetry } from '../dom/network';
 import type { GcodePlayground } from '../shell/element';
 import { find, label } from './find';
 import { loadSubjects, type Example, type Subject } from './gallery';
@@ -19,7 +19,7 @@ interface ExamplesHost {
   readonly example: Example | undefined;
   choose(id: string): void;
   /** Reports that the gallery could not be loaded, with a function that retries; `undefined` once it is loaded. */
-  missing(again: (() => void) | undefined): void;
+  onGalleryMissing(retry: (() => void) | undefined): void;
 }
 
 export class ExampleList {
@@ -47,7 +47,7 @@ export class ExampleList {
   showLanguage(): void {
     const texts = PAGE_WORDS[this.#host.language];
     label(this.#select, texts.example);
-    name(this.#button, texts.gallery);
+    setAccessibleName(this.#button, texts.gallery);
     if (this.#subjects.length > 0) void this.#load();
     this.show();
   }
@@ -61,11 +61,11 @@ export class ExampleList {
       return group;
     });
     const listed = this.#subjects.some(({ examples }) => examples.some(({ id }) => id === example?.id));
-    const alone =
+    const currentOnly =
       example === undefined
         ? make('option', { value: '', hidden: true }, PAGE_WORDS[language].ownProgram)
         : make('option', { value: example.id, hidden: this.#subjects.length > 0 }, example.title[language]);
-    this.#select.replaceChildren(...(listed ? [] : [alone]), ...options);
+    this.#select.replaceChildren(...(listed ? [] : [currentOnly]), ...options);
     this.#select.value = example?.id ?? '';
   }
 
@@ -86,14 +86,14 @@ export class ExampleList {
 
   async #openGallery(): Promise<void> {
     const host = this.#host;
-    const [list, part] = await Promise.all([
+    const [list, module] = await Promise.all([
       this.#load(),
-      loaded(() => import('./gallery-dialog')).catch(() => undefined),
+      importWithRetry(() => import('./gallery-dialog')).catch(() => undefined),
     ]);
-    if (list.length === 0 || part === undefined) return host.missing(() => void this.#openGallery());
-    host.missing(undefined);
+    if (list.length === 0 || module === undefined) return host.onGalleryMissing(() => void this.#openGallery());
+    host.onGalleryMissing(undefined);
     if (this.#dialog === undefined) {
-      this.#dialog = new part.GalleryDialog((id) => host.choose(id));
+      this.#dialog = new module.GalleryDialog((id) => host.choose(id));
       document.body.append(this.#dialog.element);
     }
     this.#dialog.open(list, host.language, host.example?.id ?? '');

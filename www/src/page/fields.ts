@@ -4,7 +4,7 @@
 
 import { make } from '../dom/dom';
 
-export interface Field {
+interface Field {
   readonly label: HTMLLabelElement;
   readonly caption: HTMLElement;
 }
@@ -16,13 +16,13 @@ export function field(input: HTMLElement): Field {
 }
 
 /** A checkbox with its caption beside it. */
-export function check(input: HTMLInputElement): Field {
+export function checkbox(input: HTMLInputElement): Field {
   const caption = make('span');
   return { label: make('label', { className: 'check' }, input, caption), caption };
 }
 
 /** Selects and copies the text of `output`. `show` is called if the text must become visible, for copying by hand. */
-export async function copied(
+export async function copyField(
   output: HTMLTextAreaElement,
   show = (): void => undefined,
 ): Promise<'copied' | 'not-copied'> {
@@ -42,15 +42,15 @@ export async function copied(
  * Copies a text that is still being computed. Call it directly in the event handler: Safari rejects a clipboard write
  * more than a second after the click. Returns false if the browser cannot or may not copy, or if there is no text.
  */
-export async function copiedOnceMade(text: Promise<string | undefined>): Promise<boolean> {
+export async function copyWhenReady(text: Promise<string | undefined>): Promise<boolean> {
   try {
-    const made = text.then((text) => {
+    const blob = text.then((text) => {
       if (text === undefined) throw new Error('there is nothing to copy');
       return new Blob([text], { type: 'text/plain' });
     });
-    // If the browser rejects the item, nothing else handles a rejection of `made`.
-    made.catch(() => undefined);
-    await navigator.clipboard.write([new ClipboardItem({ 'text/plain': made })]);
+    // If the browser rejects the item, nothing else handles a rejection of `blob`.
+    blob.catch(() => undefined);
+    await navigator.clipboard.write([new ClipboardItem({ 'text/plain': blob })]);
     return true;
   } catch {
     return false;

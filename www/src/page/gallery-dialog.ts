@@ -1,14 +1,14 @@
 // The gallery: all example programs by subject, each with a small picture, and a search field.
 //
-// In: the list in one language. Out: a call of `chosen` with the id of an example. Loaded when it is first opened. Must
-// not know: how an example is loaded or shown.
+// In: the list in one language. Out: a call of `onChoose` with the id of an example. Loaded when it is first opened.
+// Must not know: how an example is loaded or shown.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
-import type { Listed, Subject } from './gallery';
+import type { ListedExample, Subject } from './gallery';
 import { smallDrawing } from './small-drawing';
 import './gallery.css';
 
@@ -22,13 +22,13 @@ export class GalleryDialog {
     this.#found,
     this.#list,
   ]);
-  readonly #chosen: (id: string) => void;
+  readonly #onChoose: (id: string) => void;
   #subjects: readonly Subject[] = [];
   #language: Language = 'en';
   #current = '';
 
-  constructor(chosen: (id: string) => void) {
-    this.#chosen = chosen;
+  constructor(onChoose: (id: string) => void) {
+    this.#onChoose = onChoose;
     this.#search.addEventListener('input', () => this.#show());
   }
 
@@ -42,7 +42,7 @@ export class GalleryDialog {
     this.#language = language;
     this.#current = current;
     const texts = WORDS[language];
-    this.#dialog.name(texts.title, COMMON[language].close);
+    this.#dialog.setTexts(texts.title, COMMON[language].close);
     this.#dialog.about = texts.about;
     this.#caption.textContent = texts.search;
     this.#search.value = '';
@@ -57,7 +57,7 @@ export class GalleryDialog {
       .toLowerCase()
       .split(/\s+/)
       .filter((term) => term !== '');
-    const matches = ({ subject, of }: { subject: string; of: Listed }): boolean => {
+    const matches = ({ subject, of }: { subject: string; of: ListedExample }): boolean => {
       const text = [subject, of.title, of.shows, of.codes, of.id].join(' ').toLowerCase();
       return terms.every((term) => text.includes(term));
     };
@@ -81,7 +81,7 @@ export class GalleryDialog {
     this.#list.replaceChildren(...sections);
   }
 
-  #card({ id, title, shows, picture }: Listed): HTMLElement {
+  #card({ id, title, shows, picture }: ListedExample): HTMLElement {
     const card = make('button', { type: 'button', className: 'card' });
     card.append(
       smallDrawing(picture),
@@ -91,7 +91,7 @@ export class GalleryDialog {
     if (id === this.#current) card.setAttribute('aria-current', 'true');
     card.addEventListener('click', () => {
       this.#dialog.close();
-      this.#chosen(id);
+      this.#onChoose(id);
     });
     return card;
   }

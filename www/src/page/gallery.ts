@@ -25,7 +25,7 @@ export interface Example {
 }
 
 /** An entry of the gallery, in one language. */
-export interface Listed {
+export interface ListedExample {
   readonly id: string;
   readonly title: string;
   readonly shows: string;
@@ -37,7 +37,7 @@ export interface Listed {
 
 export interface Subject {
   readonly subject: string;
-  readonly examples: readonly Listed[];
+  readonly examples: readonly ListedExample[];
 }
 
 /** The program of a page whose address names no other. */
@@ -47,36 +47,36 @@ const examples = new Map<string, Promise<Example>>([[FIRST_EXAMPLE.id, Promise.r
 const lists = new Map<Language, Promise<readonly Subject[]>>();
 
 /** `unknown`: no example has this id. `not-loaded`: the network or the server failed. */
-export type NoExample = 'unknown' | 'not-loaded';
+export type ExampleFailure = 'unknown' | 'not-loaded';
 
-export async function loadExample(id: string): Promise<Example | NoExample> {
+export async function loadExample(id: string): Promise<Example | ExampleFailure> {
   // The id comes from the address and may be any text.
   if (!/^[a-z]\w*-[\w-]+$/.test(id)) return 'unknown';
-  return kept(examples, id, async () => ({ ...(await file<Omit<Example, 'id'>>(id)), id })).catch((error: unknown) =>
-    error instanceof Missing ? 'unknown' : 'not-loaded',
+  return cached(examples, id, async () => ({ ...(await fetchJson<Omit<Example, 'id'>>(id)), id })).catch(
+    (error: unknown) => (error instanceof NotFound ? 'unknown' : 'not-loaded'),
   );
 }
 
 /** All examples in order; rejected if they could not be loaded. */
 export function loadSubjects(language: Language): Promise<readonly Subject[]> {
-  return kept(lists, language, () => file<readonly Subject[]>(language));
+  return cached(lists, language, () => fetchJson<readonly Subject[]>(language));
 }
 
-async function file<Content>(name: string): Promise<Content> {
+async function fetchJson<Content>(name: string): Promise<Content> {
   const response = await fetch(new URL(`examples/${name}.json`, document.baseURI));
   const { ok, status, headers } = response;
   // Some servers answer with an HTML page instead of 404.
   if ((status >= 400 && status < 500) || (ok && (headers.get('content-type') ?? '').startsWith('text/html')))
-    throw new Missing(name);
+    throw new NotFound(name);
   if (!ok) throw new Error(`examples/${name}.json: ${status}`);
   return (await response.json()) as Content;
 }
 
 /** The server has no such file. */
-class Missing extends Error {}
+class NotFound extends Error {}
 
 /** Caches the promise for `key`; a failed one is removed, so that the next call retries. */
-function kept<Key, Value>(all: Map<Key, Promise<Value>>, key: Key, load: () => Promise<Value>): Promise<Value> {
+function cached<Key, Value>(all: Map<Key, Promise<Value>>, key: Key, load: () => Promise<Value>): Promise<Value> {
   const before = all.get(key);
   if (before !== undefined) return before;
   const loading = load();

@@ -3,13 +3,13 @@
 // In: the part of an address from `#`. Out: the program and its options, or an error. The code that unpacks is loaded
 // on demand. Must not know: the meaning of a program.
 
-import { loaded } from '../dom/network';
+import { importWithRetry } from '../dom/network';
 import { LINK_LIMIT } from '../files/link-limit';
 import type { LinkFault, Shared } from '../files/shared-link';
 
 export type LinkedProgram = Shared;
 
-export type InAddress =
+export type AddressContent =
   | { readonly kind: 'linked'; readonly linked: LinkedProgram }
   | { readonly kind: 'fault'; readonly fault: LinkFault | { readonly kind: 'not-loaded' } }
   /** The id of an example, or an empty fragment. */
@@ -23,41 +23,41 @@ export function pageAddress(): string {
 }
 
 /** Reads a program in plain text. */
-export function linkedProgram(hash: string): LinkedProgram | undefined {
+export function parsePlainLink(hash: string): LinkedProgram | undefined {
   if (hash.length > LINK_LIMIT || hash.startsWith('#share=')) return undefined;
-  const said = new URLSearchParams(hash.slice(1));
-  const text = said.get('program');
+  const parameters = new URLSearchParams(hash.slice(1));
+  const text = parameters.get('program');
   if (text === null) return undefined;
   return {
     text,
-    setup: said.get('setup'),
-    control: said.get('control'),
-    blockSkip: said.get('block-skip'),
+    setup: parameters.get('setup'),
+    control: parameters.get('control'),
+    blockSkip: parameters.get('block-skip'),
     program: null,
-    language: said.get('language'),
-    view: said.get('view'),
-    step: said.get('step'),
-    readonly: said.has('readonly'),
+    language: parameters.get('language'),
+    view: parameters.get('view'),
+    step: parameters.get('step'),
+    readonly: parameters.has('readonly'),
     file: null,
     task: null,
     name: null,
   };
 }
 
-export async function inAddress(hash: string): Promise<InAddress> {
+export async function parseAddress(hash: string): Promise<AddressContent> {
   if (hash.startsWith('#share=')) {
-    let openedLink: typeof import('../files/shared-link')['openedLink'];
+    let parseLink: typeof import('../files/shared-link')['parseLink'];
     try {
-      ({ openedLink } = await loaded(() => import('../files/shared-link')));
+      ({ parseLink } = await importWithRetry(() => import('../files/shared-link')));
     } catch {
       return { kind: 'fault', fault: { kind: 'not-loaded' } };
     }
-    const opened = await openedLink(hash);
+    const opened = await parseLink(hash);
     return opened.kind === 'shared' ? { kind: 'linked', linked: opened.shared } : opened;
   }
   if (hash.length > LINK_LIMIT)
     return { kind: 'fault', fault: { kind: 'too-long', length: hash.length, limit: LINK_LIMIT } };
-  const linked = linkedProgram(hash);
+  const linked = parsePlainLink(hash);
   if (linked !== undefined) return { kind: 'linked', linked };
   return hash === '' || hash === '#' || EXAMPLE.test(hash)
     ? { kind: 'other' }

@@ -3,7 +3,7 @@
 // In: the table as CSV. Out: a row for each motion, with cells by column name. Must not know: the use of the table.
 
 /** In UTF-16 units; for a longer program the table is too expensive. */
-export const LONGEST_FOR_TABLE = 200_000;
+export const MAX_LENGTH_FOR_TABLE = 200_000;
 
 export type MotionRow = Readonly<Record<string, string>>;
 

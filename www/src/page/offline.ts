@@ -13,17 +13,17 @@ import type { GcodePlayground } from '../shell/element';
 import './offline.css';
 
 /** Minimum interval between checks for a newer version, in a tab that stays open for days. */
-const LOOK_EVERY_MS = 3_600_000;
+const CHECK_EVERY_MS = 3_600_000;
 
-export interface OfflineHost {
+interface OfflineHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
   /** Saves the program for the next visit. */
-  keep(): 'kept' | 'not-kept';
+  save(): 'saved' | 'not-saved';
 }
 
 type State = 'unknown' | 'stored' | 'not-stored';
-type News = 'none' | 'newer' | 'not-kept';
+type News = 'none' | 'newer' | 'not-saved';
 
 /** The used part of the File Handling API, which TypeScript's DOM types lack. */
 interface LaunchQueue {
@@ -32,19 +32,19 @@ interface LaunchQueue {
 
 export class Offline {
   readonly #host: OfflineHost;
-  readonly #said = make('span');
-  readonly #status = make('p', { id: 'offline', hidden: true }, this.#said);
+  readonly #statusText = make('span');
+  readonly #status = make('p', { id: 'offline', hidden: true }, this.#statusText);
   readonly #text = make('p', { role: 'status' });
-  readonly #reload = make('button', { type: 'button' });
-  readonly #later = make('button', { type: 'button' });
-  readonly #news = make('div', { id: 'news', hidden: true }, this.#text, this.#reload, this.#later);
+  readonly #reloadButton = make('button', { type: 'button' });
+  readonly #laterButton = make('button', { type: 'button' });
+  readonly #news = make('div', { id: 'news', hidden: true }, this.#text, this.#reloadButton, this.#laterButton);
   readonly #manifest = make('link', { rel: 'manifest' });
   #registration: ServiceWorkerRegistration | undefined;
   #state: State = 'unknown';
-  #saidNews: News = 'none';
+  #shownNews: News = 'none';
   /** The user has asked for the newer version. */
-  #wanted = false;
-  #lookedAt = performance.now();
+  #updateRequested = false;
+  #lastCheckAt = performance.now();
 
   constructor(host: OfflineHost) {
     this.#host = host;
@@ -53,82 +53,83 @@ export class Offline {
     document.getElementById('settings')?.append(this.#status);
     document.querySelector('header')?.after(this.#news);
     document.head.append(this.#manifest);
-    this.#reload.addEventListener('click', () => this.#takeNewer());
-    this.#later.addEventListener('click', () => this.#say('none'));
+    this.#reloadButton.addEventListener('click', () => this.#activateUpdate());
+    this.#laterButton.addEventListener('click', () => this.#showNews('none'));
     this.showLanguage();
     this.#openLaunched();
     // Absent on pages served over plain HTTP from another host, and in frames without storage.
-    if ('serviceWorker' in navigator) void this.#store(navigator.serviceWorker);
+    if ('serviceWorker' in navigator) void this.#register(navigator.serviceWorker);
   }
 
   showLanguage(): void {
     const { language } = this.#host;
     const texts = WORDS[language];
     this.#manifest.href = new URL(`manifest-${language}.webmanifest`, document.baseURI).href;
-    this.#reload.textContent = this.#saidNews === 'not-kept' ? texts.reloadAllTheSame : texts.reload;
-    this.#later.textContent = texts.later;
-    this.#text.textContent = { none: '', newer: texts.newer, 'not-kept': texts.notKept }[this.#saidNews];
-    const said = { unknown: '', stored: texts.stored, 'not-stored': texts.notStored }[this.#state];
-    this.#status.hidden = said === '';
-    this.#said.textContent = said;
+    this.#reloadButton.textContent = this.#shownNews === 'not-saved' ? texts.reloadAllTheSame : texts.reload;
+    this.#laterButton.textContent = texts.later;
+    this.#text.textContent = { none: '', newer: texts.newer, 'not-saved': texts.notSaved }[this.#shownNews];
+    const text = { unknown: '', stored: texts.stored, 'not-stored': texts.notStored }[this.#state];
+    this.#status.hidden = text === '';
+    this.#statusText.textContent = text;
     this.#status.dataset['state'] = this.#state;
-    this.#status.title = this.#state === 'stored' ? `${said}. ${texts.storedHint}` : said;
+    this.#status.title = this.#state === 'stored' ? `${text}. ${texts.storedHint}` : text;
   }
 
-  async #store(container: ServiceWorkerContainer): Promise<void> {
+  async #register(container: ServiceWorkerContainer): Promise<void> {
     let { controller } = container;
     container.addEventListener('controllerchange', () => {
-      const had = controller;
+      const previous = controller;
       controller = container.controller;
       // Another tab has activated the newer version; this tab continues with its own.
-      if (had !== null && !this.#wanted) this.#say('newer');
+      if (previous !== null && !this.#updateRequested) this.#showNews('newer');
     });
     try {
       this.#registration = await container.register(new URL('service-worker.js', document.baseURI), {
         updateViaCache: 'none',
       });
     } catch {
-      this.#show('not-stored');
-      this.#tryWithNetwork(container);
+      this.#showState('not-stored');
+      this.#retryWhenOnline(container);
       return;
     }
     const registration = this.#registration;
-    registration.addEventListener('updatefound', () => this.#follow(registration.installing));
-    this.#follow(registration.installing);
-    this.#lookWhatIsThere();
+    registration.addEventListener('updatefound', () => this.#watchState(registration.installing));
+    this.#watchState(registration.installing);
+    this.#checkStored();
     document.addEventListener('visibilitychange', () => {
-      if (document.visibilityState === 'visible' && performance.now() - this.#lookedAt > LOOK_EVERY_MS) this.#look();
+      if (document.visibilityState === 'visible' && performance.now() - this.#lastCheckAt > CHECK_EVERY_MS)
+        this.#checkForUpdate();
     });
-    addEventListener('online', () => this.#look());
+    addEventListener('online', () => this.#checkForUpdate());
   }
 
-  #tryWithNetwork(container: ServiceWorkerContainer): void {
-    addEventListener('online', () => void this.#store(container), { once: true });
+  #retryWhenOnline(container: ServiceWorkerContainer): void {
+    addEventListener('online', () => void this.#register(container), { once: true });
   }
 
-  #look(): void {
-    this.#lookedAt = performance.now();
+  #checkForUpdate(): void {
+    this.#lastCheckAt = performance.now();
     // Ignore a failure: without a network there is no newer version.
     this.#registration?.update().catch(() => undefined);
   }
 
-  #follow(worker: ServiceWorker | null): void {
+  #watchState(worker: ServiceWorker | null): void {
     worker?.addEventListener('statechange', () => {
-      if (worker.state === 'redundant' && this.#registration?.active === null) this.#show('not-stored');
-      else this.#lookWhatIsThere();
+      if (worker.state === 'redundant' && this.#registration?.active === null) this.#showState('not-stored');
+      else this.#checkStored();
     });
   }
 
-  #lookWhatIsThere(): void {
+  #checkStored(): void {
     const active = this.#registration?.active ?? undefined;
     const waiting = this.#registration?.waiting ?? undefined;
-    if (active?.state === 'activated') this.#show('stored');
-    if (active !== undefined && waiting !== undefined && this.#saidNews === 'none') this.#say('newer');
+    if (active?.state === 'activated') this.#showState('stored');
+    if (active !== undefined && waiting !== undefined && this.#shownNews === 'none') this.#showNews('newer');
   }
 
-  #takeNewer(): void {
-    if (this.#host.keep() === 'not-kept' && this.#saidNews !== 'not-kept') return this.#say('not-kept');
-    this.#wanted = true;
+  #activateUpdate(): void {
+    if (this.#host.save() === 'not-saved' && this.#shownNews !== 'not-saved') return this.#showNews('not-saved');
+    this.#updateRequested = true;
     const waiting = this.#registration?.waiting ?? undefined;
     if (waiting === undefined) return location.reload();
     waiting.addEventListener('statechange', () => {
@@ -137,13 +138,13 @@ export class Offline {
     waiting.postMessage(TAKE_OVER);
   }
 
-  #show(state: State): void {
+  #showState(state: State): void {
     this.#state = state;
     this.showLanguage();
   }
 
-  #say(news: News): void {
-    this.#saidNews = news;
+  #showNews(news: News): void {
+    this.#shownNews = news;
     this.#news.hidden = news === 'none';
     this.showLanguage();
   }
@@ -164,7 +165,7 @@ const WORDS = words({
     storedHint: 'The page with all its parts is stored in the browser: it needs no network.',
     notStored: 'Not stored for offline use',
     newer: 'There is a newer version of this page. Your program is kept.',
-    notKept: 'The browser cannot keep this program: save it as a file before you reload.',
+    notSaved: 'The browser cannot keep this program: save it as a file before you reload.',
     reload: 'Reload',
     reloadAllTheSame: 'Reload all the same',
     later: 'Later',
@@ -174,7 +175,7 @@ const WORDS = words({
     storedHint: '页面及其所有部分已保存在浏览器中，无需网络。',
     notStored: '未保存，不能离线使用',
     newer: '本页面有新版本。您的程序会保留。',
-    notKept: '浏览器无法保留此程序：请先保存为文件，再重新加载。',
+    notSaved: '浏览器无法保留此程序：请先保存为文件，再重新加载。',
     reload: '重新加载',
     reloadAllTheSame: '仍要重新加载',
     later: '稍后',
@@ -184,7 +185,7 @@ const WORDS = words({
     storedHint: 'Страница со всеми частями сохранена в браузере: сеть ей не нужна.',
     notStored: 'Не сохранено для работы без сети',
     newer: 'Есть новая версия страницы. Ваша программа сохранится.',
-    notKept: 'Браузер не может сохранить эту программу: перед обновлением сохраните её в файл.',
+    notSaved: 'Браузер не может сохранить эту программу: перед обновлением сохраните её в файл.',
     reload: 'Обновить',
     reloadAllTheSame: 'Всё равно обновить',
     later: 'Позже',

@@ -5,12 +5,12 @@
 // its program. Must not know: what happens to the program.
 
 import type { Language } from '../dom/language';
-import { loaded } from '../dom/network';
+import { importWithRetry } from '../dom/network';
 import type { GcodePlayground } from '../shell/element';
 import { find } from './find';
-import type { Fault, InBar, LinkBar } from './link-bar';
+import type { Fault, BarContent, LinkBar } from './link-bar';
 import type { LinkedProgram } from './linked';
-import type { KeptProgram } from './storage';
+import type { SavedProgram } from './storage';
 import { PAGE_WORDS } from './words';
 
 /** What the page provides to a link. */
@@ -18,7 +18,7 @@ interface LinkHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
   /** The current program with its context. */
-  readonly program: KeptProgram;
+  readonly program: SavedProgram;
 }
 
 export class OpenedLink {
@@ -26,7 +26,7 @@ export class OpenedLink {
   /** The program of the link and its address; kept after another program has replaced it. */
   #last: { readonly address: string; readonly linked: LinkedProgram } | undefined;
   #bar: LinkBar | undefined;
-  #inBar: InBar | undefined;
+  #barContent: BarContent | undefined;
 
   constructor(host: LinkHost) {
     this.#host = host;
@@ -34,7 +34,7 @@ export class OpenedLink {
     playground.addEventListener('gcode-change', () => this.#bar?.programChanged());
     // Remove the name when another program replaces the answer, by opening a file or by undo.
     playground.addEventListener('gcode-context', () => {
-      if (this.#from !== undefined && host.program.text !== this.#last?.linked.text) this.#say(undefined);
+      if (this.#from !== undefined && host.program.text !== this.#last?.linked.text) this.#showBar(undefined);
     });
   }
 
@@ -43,7 +43,7 @@ export class OpenedLink {
   }
 
   /** The last link, if the address still contains it. */
-  get inAddress(): { readonly address: string; readonly linked: LinkedProgram } | undefined {
+  get current(): { readonly address: string; readonly linked: LinkedProgram } | undefined {
     return this.#last?.address === location.hash ? this.#last : undefined;
   }
 
@@ -55,10 +55,10 @@ export class OpenedLink {
     playground.setAttribute('view', linked.view ?? 'all');
     playground.readonly = readonly;
     playground.step = linked.step;
-    const from = shownName(linked.name);
-    if (linked.task !== null) this.#say({ kind: 'task', linked });
-    else if (readonly || playground.view !== 'all') this.#say({ kind: 'only-shown', from });
-    else this.#say(from === undefined ? undefined : { kind: 'from', from });
+    const from = cleanName(linked.name);
+    if (linked.task !== null) this.#showBar({ kind: 'task', linked });
+    else if (readonly || playground.view !== 'all') this.#showBar({ kind: 'only-shown', from });
+    else this.#showBar(from === undefined ? undefined : { kind: 'from', from });
   }
 
   /** Resets the options, so that they do not affect the next link. */
@@ -67,11 +67,11 @@ export class OpenedLink {
     playground.step = null;
     playground.view = 'all';
     playground.readonly = false;
-    this.#say(undefined);
+    this.#showBar(undefined);
   }
 
   showFault(fault: Fault): void {
-    this.#say({ kind: 'fault', fault });
+    this.#showBar({ kind: 'fault', fault });
   }
 
   showLanguage(): void {
@@ -81,8 +81,8 @@ export class OpenedLink {
 
   /** The name on the answer that is shown. */
   get #from(): string | undefined {
-    const said = this.#inBar;
-    return said?.kind === 'from' || said?.kind === 'only-shown' ? said.from : undefined;
+    const content = this.#barContent;
+    return content?.kind === 'from' || content?.kind === 'only-shown' ? content.from : undefined;
   }
 
   /** Puts the name into the title, so that a teacher finds the tabs with the answers of a class. */
@@ -92,24 +92,24 @@ export class OpenedLink {
   }
 
   /** Switches to the full view; the name on the answer stays. */
-  #everything(): void {
+  #showAll(): void {
     const from = this.#from;
     this.end();
-    if (from !== undefined) this.#say({ kind: 'from', from });
+    if (from !== undefined) this.#showBar({ kind: 'from', from });
   }
 
-  #say(what: InBar | undefined): void {
-    this.#inBar = what;
+  #showBar(content: BarContent | undefined): void {
+    this.#barContent = content;
     this.#showTitle();
-    if (this.#bar !== undefined) return this.#bar.show(what, this.#host.language);
-    if (what === undefined) return;
-    void loaded(() => import('./link-bar')).then(
+    if (this.#bar !== undefined) return this.#bar.show(content, this.#host.language);
+    if (content === undefined) return;
+    void importWithRetry(() => import('./link-bar')).then(
       ({ LinkBar }) => {
         this.#bar ??= new LinkBar(find('main'), {
-          everything: () => this.#everything(),
+          showAll: () => this.#showAll(),
           program: () => this.#host.program,
         });
-        this.#bar.show(this.#inBar, this.#host.language);
+        this.#bar.show(this.#barContent, this.#host.language);
       },
       () => undefined,
     );
@@ -117,7 +117,7 @@ export class OpenedLink {
 }
 
 /** The name as one line without bidirectional control characters; undefined if it is empty. */
-function shownName(name: string | null): string | undefined {
+function cleanName(name: string | null): string | undefined {
   const line = (name ?? '')
     .replace(/[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/g, '')
     .replace(/[\s\p{Cc}]+/gu, ' ')

@@ -5,31 +5,31 @@
 // tabs are notified of. Loaded when it is first opened. Must not know: how programs are stored.
 
 import { Dialog } from '../dom/dialog';
-import { icon, make, name as nameButton } from '../dom/dom';
-import { inTime } from '../dom/in-time';
+import { icon, make, setAccessibleName } from '../dom/dom';
+import { withTimeout } from '../dom/timeout';
 import { COMMON } from '../dom/words';
 import { download } from '../editor/program-files';
-import type { KeptList, PageHost } from './page-host';
+import type { SavedProgramList, PageHost } from './page-host';
 import { askToPersist } from './own-programs-persist';
 import {
-  cut,
-  fileOf,
+  shortenName,
+  toExportFile,
   LIMITS,
   matches,
   nameOf,
-  readFile,
-  type FiledProgram,
-  type Listed,
+  parseExportFile,
+  type ExportedProgram,
+  type ProgramRow,
   type State,
 } from './own-programs';
 import * as store from './own-programs-store';
 import { LIST_WORDS } from './own-programs-words';
 import { smallDrawing } from './small-drawing';
-import { forgetAllOf } from './storage';
+import { removeFromJournal } from './storage';
 import './own-programs.css';
 
 /** How long the database may take before the dialog reports that it does not answer. */
-const NO_ANSWER_MS = 5000;
+const ANSWER_TIMEOUT_MS = 5000;
 
 let dialog: OwnProgramsDialog | undefined;
 
@@ -44,36 +44,36 @@ class OwnProgramsDialog {
   readonly #search = make('input', { type: 'search', autocomplete: 'off', spellcheck: false });
   readonly #field = make('label', { className: 'search' }, this.#caption, this.#search);
   readonly #found = make('p', { className: 'found', role: 'status' });
-  readonly #shelf = make('div', { className: 'shelf' });
+  readonly #listElement = make('div', { className: 'shelf' });
   readonly #back = make('button', { type: 'button' });
   readonly #export = make('button', { type: 'button' });
   readonly #import = make('button', { type: 'button' });
   readonly #file = make('input', { type: 'file', hidden: true, accept: '.json,application/json' });
   readonly #dialog = new Dialog(
     'own-programs',
-    [this.#field, this.#found, this.#shelf, this.#file],
+    [this.#field, this.#found, this.#listElement, this.#file],
     [this.#back, this.#import, this.#export],
   );
-  #session: KeptList | undefined;
-  #rows: readonly Listed[] = [];
+  #session: SavedProgramList | undefined;
+  #rows: readonly ProgramRow[] = [];
   #dates: { readonly language: string; readonly format: Intl.DateTimeFormat } | undefined;
   /** The program whose buttons are shown, and whether it is being renamed. */
-  #acting: { readonly id: string; readonly renaming: boolean } | undefined;
+  #expanded: { readonly id: string; readonly renaming: boolean } | undefined;
   /** The program whose earlier states are shown. */
-  #statesOf: Listed | undefined;
+  #statesOf: ProgramRow | undefined;
   /** Resolved when all requested actions have finished. */
-  #asked: Promise<void> = Promise.resolve();
+  #queue: Promise<void> = Promise.resolve();
 
   constructor(host: PageHost) {
     this.#host = host;
     this.#search.addEventListener('input', () => this.#showList());
-    this.#back.addEventListener('click', () => void this.#leaveStates());
-    this.#export.addEventListener('click', () => this.#inTurn(() => this.#exportAll()));
+    this.#back.addEventListener('click', () => void this.#closeStates());
+    this.#export.addEventListener('click', () => this.#enqueue(() => this.#exportAll()));
     this.#import.addEventListener('click', () => this.#file.click());
     this.#file.addEventListener('change', () => {
       const file = this.#file.files?.[0];
       this.#file.value = '';
-      if (file !== undefined) this.#inTurn(() => this.#importFile(file));
+      if (file !== undefined) this.#enqueue(() => this.#importFile(file));
     });
     document.body.append(this.#dialog.element);
   }
@@ -81,26 +81,26 @@ class OwnProgramsDialog {
   async open(): Promise<void> {
     const texts = this.#texts;
     this.#statesOf = undefined;
-    this.#acting = undefined;
+    this.#expanded = undefined;
     this.#search.value = '';
     this.#caption.textContent = texts.search;
     this.#export.textContent = texts.exportAll;
     this.#import.textContent = texts.importAll;
     this.#back.textContent = texts.back;
     this.#found.textContent = '';
-    this.#frame();
+    this.#renderFrame();
     this.#dialog.show();
     this.#search.focus();
-    await this.#try(async () => {
-      this.#host.keeping.host.keepNow();
+    await this.#runAndReport(async () => {
+      this.#host.saver.host.saveNow();
       if (this.#session === undefined) {
-        this.#session = await this.#host.keeping.session();
-        this.#session.follow(() => void this.#refresh());
+        this.#session = await this.#host.saver.session();
+        this.#session.subscribe(() => void this.#refresh());
       }
-      const read = this.#session.written().then(() => this.#load());
-      if ((await inTime(read, NO_ANSWER_MS)) === 'late') this.#say(texts.notRead);
+      const read = this.#session.whenWritten().then(() => this.#load());
+      if ((await withTimeout(read, ANSWER_TIMEOUT_MS)) === 'timeout') this.#showOutcome(texts.notRead);
       await read;
-      this.#say(undefined);
+      this.#showOutcome(undefined);
       if (this.#rows.length > 0) askToPersist();
     });
   }
@@ -110,10 +110,10 @@ class OwnProgramsDialog {
   }
 
   /** Renders the parts that the list and the earlier states share. */
-  #frame(): void {
+  #renderFrame(): void {
     const texts = this.#texts;
     const of = this.#statesOf;
-    this.#dialog.name(
+    this.#dialog.setTexts(
       of === undefined ? texts.title : texts.statesOf(this.#nameOf(of)),
       COMMON[this.#host.language].close,
     );
@@ -130,23 +130,23 @@ class OwnProgramsDialog {
 
   /** Reloads after a change of the list and restores the focus. */
   async #refresh(): Promise<void> {
-    if (!this.#dialog.open || this.#acting?.renaming === true) return;
+    if (!this.#dialog.open || this.#expanded?.renaming === true) return;
     const focused = document.activeElement?.getAttribute('data-focus');
     await this.#load().catch(() => undefined);
     if (focused !== null && focused !== undefined) this.#focus(focused);
   }
 
   /** Runs the actions one after the other, so that the last message is about the last action. */
-  #inTurn(act: () => Promise<void>): void {
-    this.#asked = this.#asked.then(() => this.#try(act));
+  #enqueue(callback: () => Promise<void>): void {
+    this.#queue = this.#queue.then(() => this.#runAndReport(callback));
   }
 
   /** Runs an action and reports an error. */
-  async #try(act: () => Promise<void>): Promise<void> {
+  async #runAndReport(callback: () => Promise<void>): Promise<void> {
     try {
-      await act();
+      await callback();
     } catch (error) {
-      this.#say(store.isFull(error) ? this.#texts.full : this.#texts.notRead);
+      this.#showOutcome(store.isFull(error) ? this.#texts.full : this.#texts.notRead);
     }
   }
 
@@ -154,7 +154,7 @@ class OwnProgramsDialog {
 
   #showList(): void {
     const found = this.#rows.filter((row) => matches({ ...row, name: this.#nameOf(row) }, this.#search.value.trim()));
-    this.#shelf.replaceChildren(make('ul', {}, ...found.map((row) => this.#item(row))));
+    this.#listElement.replaceChildren(make('ul', {}, ...found.map((row) => this.#renderItem(row))));
     if (this.#found.dataset['kind'] !== 'outcome') this.#count(found.length);
   }
 
@@ -164,7 +164,7 @@ class OwnProgramsDialog {
   }
 
   /** Shows the result of an action, or the number of programs. */
-  #say(outcome: string | undefined, undo?: () => Promise<void>): void {
+  #showOutcome(outcome: string | undefined, undo?: () => Promise<void>): void {
     if (outcome === undefined) {
       delete this.#found.dataset['kind'];
       if (this.#statesOf === undefined) this.#showList();
@@ -175,66 +175,66 @@ class OwnProgramsDialog {
     this.#found.textContent = outcome;
     if (undo === undefined) return;
     const button = make('button', { type: 'button', 'data-focus': 'undo' }, this.#texts.undo);
-    button.addEventListener('click', () => this.#inTurn(undo));
+    button.addEventListener('click', () => this.#enqueue(undo));
     this.#found.append(button);
   }
 
-  #nameOf({ name }: Pick<Listed, 'name'>): string {
+  #nameOf({ name }: Pick<ProgramRow, 'name'>): string {
     return name === '' ? this.#texts.noName : name;
   }
 
-  #item(row: Listed): HTMLElement {
+  #renderItem(row: ProgramRow): HTMLElement {
     const name = this.#nameOf(row);
-    const isHere = row.id === this.#host.keeping.id;
-    const when = `${this.#date(row.changed)}${isHere ? ` · ${this.#texts.here}` : ''}`;
+    const isCurrent = row.id === this.#host.saver.id;
+    const when = `${this.#formatDate(row.changed)}${isCurrent ? ` · ${this.#texts.here}` : ''}`;
     const card = make('button', { type: 'button', className: 'card', 'data-focus': `open:${row.id}` });
     card.append(
       smallDrawing(row.picture),
       make('span', { className: 'title' }, name),
       make('span', { className: 'when' }, when),
     );
-    card.addEventListener('click', () => this.#inTurn(() => this.#open(row.id)));
-    const isActing = this.#acting?.id === row.id;
+    card.addEventListener('click', () => this.#enqueue(() => this.#open(row.id)));
+    const isExpanded = this.#expanded?.id === row.id;
     const more = make(
       'button',
-      { type: 'button', className: 'more-of', 'aria-expanded': String(isActing), 'data-focus': `more:${row.id}` },
+      { type: 'button', className: 'more-of', 'aria-expanded': String(isExpanded), 'data-focus': `more:${row.id}` },
       icon('more'),
     );
-    nameButton(more, this.#texts.more(name));
+    setAccessibleName(more, this.#texts.more(name));
     more.addEventListener('click', () => {
-      this.#acting = isActing ? undefined : { id: row.id, renaming: false };
+      this.#expanded = isExpanded ? undefined : { id: row.id, renaming: false };
       this.#showList();
       this.#focus(`more:${row.id}`);
     });
     const item = make('li', {}, card, more);
-    if (isHere) item.dataset['here'] = '';
-    if (isActing) item.append(this.#acts(row));
+    if (isCurrent) item.dataset['here'] = '';
+    if (isExpanded) item.append(this.#renderActions(row));
     return item;
   }
 
-  #acts(row: Listed): HTMLElement {
-    const { acts } = this.#texts;
-    const button = (text: string, act: () => void): HTMLElement => {
+  #renderActions(row: ProgramRow): HTMLElement {
+    const { actions } = this.#texts;
+    const button = (text: string, callback: () => void): HTMLElement => {
       const made = make('button', { type: 'button' }, text);
-      made.addEventListener('click', act);
+      made.addEventListener('click', callback);
       return made;
     };
-    if (this.#acting?.renaming === true) return make('div', { className: 'acts' }, this.#renaming(row));
+    if (this.#expanded?.renaming === true) return make('div', { className: 'acts' }, this.#renderRenaming(row));
     return make(
       'div',
       { className: 'acts' },
-      button(acts.rename, () => {
-        this.#acting = { id: row.id, renaming: true };
+      button(actions.rename, () => {
+        this.#expanded = { id: row.id, renaming: true };
         this.#showList();
-        this.#shelf.querySelector<HTMLInputElement>('form input')?.select();
+        this.#listElement.querySelector<HTMLInputElement>('form input')?.select();
       }),
-      button(acts.duplicate, () => this.#inTurn(() => this.#duplicate(row))),
-      button(acts.states, () => this.#inTurn(() => this.#showStates(row))),
-      button(acts.delete, () => this.#inTurn(() => this.#delete(row))),
+      button(actions.duplicate, () => this.#enqueue(() => this.#duplicate(row))),
+      button(actions.states, () => this.#enqueue(() => this.#showStates(row))),
+      button(actions.delete, () => this.#enqueue(() => this.#delete(row))),
     );
   }
 
-  #renaming(row: Listed): HTMLElement {
+  #renderRenaming(row: ProgramRow): HTMLElement {
     const texts = this.#texts;
     const input = make('input', {
       type: 'text',
@@ -247,10 +247,10 @@ class OwnProgramsDialog {
       'form',
       {},
       make('label', { className: 'search' }, texts.newName, input),
-      make('button', { type: 'submit' }, texts.take),
+      make('button', { type: 'submit' }, texts.confirmRename),
     );
-    const leave = async (): Promise<void> => {
-      this.#acting = { id: row.id, renaming: false };
+    const endRenaming = async (): Promise<void> => {
+      this.#expanded = { id: row.id, renaming: false };
       await this.#load();
       this.#focus(`more:${row.id}`);
     };
@@ -259,15 +259,15 @@ class OwnProgramsDialog {
       if (event.key !== 'Escape') return;
       event.preventDefault();
       event.stopPropagation();
-      void leave();
+      void endRenaming();
     });
     form.addEventListener('submit', (event) => {
       event.preventDefault();
-      this.#inTurn(async () => {
-        await store.rename(row.id, cut(input.value), (program) =>
-          nameOf(program, this.#host.keeping.host.titleOf(program.example)),
+      this.#enqueue(async () => {
+        await store.rename(row.id, shortenName(input.value), (program) =>
+          nameOf(program, this.#host.saver.host.titleOf(program.example)),
         );
-        await leave();
+        await endRenaming();
         this.#session?.changed({ kind: 'list' });
       });
     });
@@ -275,64 +275,64 @@ class OwnProgramsDialog {
   }
 
   async #open(id: string): Promise<void> {
-    const [row, program] = await Promise.all([store.listed(id), store.programOf(id)]);
+    const [row, program] = await Promise.all([store.readRow(id), store.readProgram(id)]);
     if (row === undefined || program === undefined) return this.#load();
     this.#dialog.close();
-    if (id === this.#host.keeping.id) return;
+    if (id === this.#host.saver.id) return;
     await this.#host.show({ ...program, id });
-    this.#session?.knows(row);
+    this.#session?.noteRevision(row);
   }
 
-  async #duplicate(row: Listed): Promise<void> {
+  async #duplicate(row: ProgramRow): Promise<void> {
     const copy = await store.duplicate(row.id);
-    if (copy === 'too-many') return this.#say(this.#texts.tooMany);
-    this.#acting = undefined;
+    if (copy === 'too-many') return this.#showOutcome(this.#texts.tooMany);
+    this.#expanded = undefined;
     await this.#load();
     if (copy === undefined) return;
     this.#focus(`more:${copy.id}`);
     this.#session?.changed({ kind: 'list' });
   }
 
-  async #delete(row: Listed): Promise<void> {
-    const whole = await store.deleteProgram(row.id);
-    forgetAllOf(row.id);
-    this.#acting = undefined;
+  async #delete(row: ProgramRow): Promise<void> {
+    const deleted = await store.deleteProgram(row.id);
+    removeFromJournal(row.id);
+    this.#expanded = undefined;
     this.#session?.changed({ kind: 'deleted', id: row.id });
     await this.#load();
-    if (whole === undefined) return;
-    this.#say(this.#texts.deleted(this.#nameOf(row)), () => this.#putBack(whole));
+    if (deleted === undefined) return;
+    this.#showOutcome(this.#texts.deleted(this.#nameOf(row)), () => this.#restoreDeleted(deleted));
     this.#focus('undo');
   }
 
-  async #putBack(whole: FiledProgram): Promise<void> {
-    await store.addPrograms([whole]);
-    this.#say(undefined);
+  async #restoreDeleted(deleted: ExportedProgram): Promise<void> {
+    await store.addPrograms([deleted]);
+    this.#showOutcome(undefined);
     this.#session?.changed({ kind: 'list' });
     await this.#load();
-    this.#focus(`more:${whole.id}`);
+    this.#focus(`more:${deleted.id}`);
   }
 
   // ---- earlier states -----------------------------------------------------------------------------
 
-  async #showStates(row: Listed): Promise<void> {
-    const states = await store.statesOf(row.id);
+  async #showStates(row: ProgramRow): Promise<void> {
+    const states = await store.readStates(row.id);
     const texts = this.#texts;
     this.#statesOf = row;
-    this.#frame();
-    this.#say(undefined);
+    this.#renderFrame();
+    this.#showOutcome(undefined);
     if (states.length === 0) this.#found.textContent = texts.noStates;
-    this.#shelf.replaceChildren(make('ul', {}, ...states.map((state) => this.#state(row, state))));
+    this.#listElement.replaceChildren(make('ul', {}, ...states.map((state) => this.#renderState(row, state))));
     this.#back.focus();
   }
 
-  #state(row: Listed, state: State): HTMLElement {
-    const when = this.#date(state.time);
+  #renderState(row: ProgramRow, state: State): HTMLElement {
+    const when = this.#formatDate(state.time);
     const restore = make(
       'button',
       { type: 'button', 'aria-label': `${this.#texts.restore}: ${when}` },
       this.#texts.restore,
     );
-    restore.addEventListener('click', () => this.#inTurn(() => this.#restore(row, state)));
+    restore.addEventListener('click', () => this.#enqueue(() => this.#restore(row, state)));
     return make(
       'li',
       { className: 'state' },
@@ -342,24 +342,24 @@ class OwnProgramsDialog {
   }
 
   /** Restores an earlier state; the current text becomes an earlier state itself. */
-  async #restore({ id }: Listed, state: State): Promise<void> {
-    this.#host.keeping.host.keepNow();
-    await this.#session?.written();
+  async #restore({ id }: ProgramRow, state: State): Promise<void> {
+    this.#host.saver.host.saveNow();
+    await this.#session?.whenWritten();
     const program = await store.restoreState(id, state);
-    const row = await store.listed(id);
-    if (program === undefined || row === undefined) return this.#say(this.#texts.notRead);
+    const row = await store.readRow(id);
+    if (program === undefined || row === undefined) return this.#showOutcome(this.#texts.notRead);
     this.#dialog.close();
-    this.#session?.knows(row);
+    this.#session?.noteRevision(row);
     this.#session?.changed({ kind: 'changed', id, revision: row.revision });
     await this.#host.show({ ...program, id });
   }
 
-  async #leaveStates(): Promise<void> {
+  async #closeStates(): Promise<void> {
     const of = this.#statesOf;
     this.#statesOf = undefined;
-    this.#frame();
-    await this.#try(() => this.#load());
-    this.#say(undefined);
+    this.#renderFrame();
+    await this.#runAndReport(() => this.#load());
+    this.#showOutcome(undefined);
     if (of !== undefined) this.#focus(`more:${of.id}`);
   }
 
@@ -367,27 +367,27 @@ class OwnProgramsDialog {
 
   async #exportAll(): Promise<void> {
     const day = new Date().toISOString().slice(0, 10);
-    download(`gcode-programs-${day}.json`, new TextEncoder().encode(fileOf(await store.everything())));
+    download(`gcode-programs-${day}.json`, new TextEncoder().encode(toExportFile(await store.readAll())));
   }
 
   async #importFile(file: File): Promise<void> {
     const texts = this.#texts;
-    if (file.size > LIMITS.file) return this.#say(texts.wrongFile['too-large']);
-    const read = readFile(await file.text());
-    if (read.kind !== 'programs') return this.#say(texts.wrongFile[read.kind]);
-    const { added, alreadyThere, noRoom } = await store.addPrograms(read.programs);
+    if (file.size > LIMITS.file) return this.#showOutcome(texts.wrongFile['too-large']);
+    const parsed = parseExportFile(await file.text());
+    if (parsed.kind !== 'programs') return this.#showOutcome(texts.wrongFile[parsed.kind]);
+    const { added, duplicates, noRoom } = await store.addPrograms(parsed.programs);
     await this.#load();
     const more = [
       noRoom === 0 ? '' : texts.noRoom(noRoom),
-      read.unreadable === 0 ? '' : texts.unreadable(read.unreadable),
+      parsed.unreadable === 0 ? '' : texts.unreadable(parsed.unreadable),
     ];
-    this.#say(`${texts.imported(texts.count(added), alreadyThere)}${more.join('')}`);
+    this.#showOutcome(`${texts.imported(texts.count(added), duplicates)}${more.join('')}`);
     this.#session?.changed({ kind: 'list' });
   }
 
   // ---- helpers ------------------------------------------------------------------------------------
 
-  #date(time: number): string {
+  #formatDate(time: number): string {
     const { language } = this.#host;
     // Cached: constructing one takes some milliseconds.
     if (this.#dates?.language !== language)

@@ -20,7 +20,7 @@ export type News =
 export type NewsAct = 'show' | 'keep-both' | 'save-file' | 'open-list';
 
 /** The buttons of each notice. */
-const OFFERED: Readonly<Record<News['kind'], readonly NewsAct[]>> = {
+const BUTTONS: Readonly<Record<News['kind'], readonly NewsAct[]>> = {
   'changed-elsewhere': ['show', 'keep-both'],
   'both-kept': ['open-list'],
   'deleted-elsewhere': [],
@@ -33,12 +33,12 @@ const OFFERED: Readonly<Record<News['kind'], readonly NewsAct[]>> = {
 
 export class NewsLine {
   readonly element = make('div', { id: 'own-news', role: 'status' });
-  readonly #act: (act: NewsAct) => void;
+  readonly #onAction: (act: NewsAct) => void;
   #news: News | undefined;
   #language: Language = 'en';
 
   constructor(act: (act: NewsAct) => void) {
-    this.#act = act;
+    this.#onAction = act;
   }
 
   get news(): News['kind'] | undefined {
@@ -58,12 +58,12 @@ export class NewsLine {
       return;
     }
     const texts = NEWS_WORDS[this.#language];
-    const said = news.kind === 'both-kept' ? texts.said[news.kind](news.name) : texts.said[news.kind];
-    const buttons = OFFERED[news.kind].map((act) => {
-      const button = make('button', { type: 'button', className: 'link' }, texts.acts[act]);
-      button.addEventListener('click', () => this.#act(act));
+    const text = news.kind === 'both-kept' ? texts.messages[news.kind](news.name) : texts.messages[news.kind];
+    const buttons = BUTTONS[news.kind].map((act) => {
+      const button = make('button', { type: 'button', className: 'link' }, texts.actions[act]);
+      button.addEventListener('click', () => this.#onAction(act));
       return button;
     });
-    this.element.replaceChildren(make('p', {}, said), ...buttons);
+    this.element.replaceChildren(make('p', {}, text), ...buttons);
   }
 }

@@ -2,13 +2,13 @@
 //
 // In: nothing. Out: at most one request per browser, since some browsers ask the user. Must not know: the stored data.
 
-const ASKED = 'gcode-playground:asked-to-persist';
+const ASKED_KEY = 'gcode-playground:asked-to-persist';
 
 /** Call it when the user looks at the stored programs, so that the browser's question makes sense. */
 export function askToPersist(): void {
   try {
-    if (localStorage.getItem(ASKED) !== null) return;
-    localStorage.setItem(ASKED, 'yes');
+    if (localStorage.getItem(ASKED_KEY) !== null) return;
+    localStorage.setItem(ASKED_KEY, 'yes');
   } catch {
     return;
   }

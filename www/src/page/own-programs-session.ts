@@ -5,110 +5,119 @@
 // entry at a time, only the newest of each program, and retries failed writes. Must not know: the dialog, or
 // the layout of the database.
 
-import type { KeptList, ProgramOfTab } from './page-host';
-import { pictureOf } from './own-programs-picture';
-import { isSame, nameOf, type Listed } from './own-programs';
+import type { SavedProgramList, TabProgram } from './page-host';
+import { makePicture } from './own-programs-picture';
+import { isSame, nameOf, type ProgramRow } from './own-programs';
 import { NewsLine, type News, type NewsAct } from './own-programs-news';
 import * as store from './own-programs-store';
 import { Tabs, type TabNews } from './own-programs-tabs';
-import { forgetWritten, journal, keepInJournal, knowsNoLast, TAB, type Entry, type KeptProgram } from './storage';
+import {
+  removeWritten,
+  readJournal,
+  saveInJournal,
+  hasNoLastEntry,
+  TAB_ID,
+  type Entry,
+  type SavedProgram,
+} from './storage';
 
-const TRY_AGAIN_MS = 5000;
-const NO_ANSWER_MS = 10_000;
+const RETRY_AFTER_MS = 5000;
+const ANSWER_TIMEOUT_MS = 10_000;
 /** Delay after an edit, so that the picture does not occupy the worker while the user types. */
 const PICTURE_AFTER_MS = 1500;
 
-type Journal = 'kept' | 'refused';
+type JournalOutcome = 'saved' | 'refused';
 /** Notices about one program, removed when another one is opened. */
-const OF_A_PROGRAM: readonly News['kind'][] = ['changed-elsewhere', 'both-kept', 'deleted-elsewhere'];
+const PROGRAM_NEWS: readonly News['kind'][] = ['changed-elsewhere', 'both-kept', 'deleted-elsewhere'];
 /** Notices that saving failed, removed when it succeeds. */
-const FAILURES: readonly News['kind'][] = ['full', 'refused', 'last-only', 'too-many'];
+const FAILURE_NEWS: readonly News['kind'][] = ['full', 'refused', 'last-only', 'too-many'];
 
-export class Session implements KeptList {
-  readonly #keeping: ProgramOfTab;
-  readonly #news = new NewsLine((act) => void this.#act(act));
+export class Session implements SavedProgramList {
+  readonly #saver: TabProgram;
+  readonly #news = new NewsLine((action) => void this.#runAction(action));
   readonly #tabs: Tabs;
   readonly #ready: Promise<void>;
-  readonly #waiting = new Map<string, Entry>();
+  readonly #pending = new Map<string, Entry>();
   /** Entries that are in the list but could not be removed from the journal yet. */
   readonly #written = new Map<string, Entry>();
-  readonly #heardBy = new Set<() => void>();
-  readonly #pictured = new Map<string, number>();
-  #newsOf: string | undefined;
-  #journal: Journal = 'kept';
-  #working = false;
-  #again: ReturnType<typeof setTimeout> | undefined;
-  #pictureSoon: ReturnType<typeof setTimeout> | undefined;
+  readonly #listeners = new Set<() => void>();
+  readonly #picturedRevisions = new Map<string, number>();
+  #newsProgramId: string | undefined;
+  #journal: JournalOutcome = 'saved';
+  #isWriting = false;
+  #retryTimer: ReturnType<typeof setTimeout> | undefined;
+  #pictureTimer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(keeping: ProgramOfTab) {
-    this.#keeping = keeping;
-    const { playground } = keeping.host;
+  constructor(saver: TabProgram) {
+    this.#saver = saver;
+    const { playground } = saver.host;
     this.showLanguage();
     document.querySelector('header')?.after(this.#news.element);
-    this.#tabs = new Tabs((news) => void this.#heard(news));
-    store.listen({ closed: () => void this.#closed() });
+    this.#tabs = new Tabs((news) => void this.#onTabNews(news));
+    store.setStoreEvents({ onClosed: () => void this.#onDatabaseClosed() });
     addEventListener('pageshow', ({ persisted }) => {
-      if (persisted) void this.#isShownAgain();
+      if (persisted) void this.#catchUp();
     });
     playground.addEventListener('gcode-settled', () => {
       const { news } = this.#news;
-      if (news !== undefined && OF_A_PROGRAM.includes(news) && this.#newsOf !== this.#keeping.id) this.#say(undefined);
-      this.#drawSoon();
+      if (news !== undefined && PROGRAM_NEWS.includes(news) && this.#newsProgramId !== this.#saver.id)
+        this.#showNews(undefined);
+      this.#schedulePicture();
     });
-    this.#ready = this.#begin();
+    this.#ready = this.#start();
   }
 
-  follow(heard: () => void): void {
-    this.#heardBy.add(heard);
+  subscribe(onChange: () => void): void {
+    this.#listeners.add(onChange);
   }
 
   changed(news: TabNews): void {
-    if (news.kind === 'deleted') this.#forget(news.id);
-    this.#tabs.tell(news);
-    this.#tellHere();
+    if (news.kind === 'deleted') this.#forgetProgram(news.id);
+    this.#tabs.post(news);
+    this.#notifyListeners();
   }
 
-  knows({ id, revision }: Pick<Listed, 'id' | 'revision'>): void {
-    this.#keeping.known.set(id, revision);
-    if (this.#news.news === 'changed-elsewhere' && id === this.#keeping.id) this.#say(undefined);
+  noteRevision({ id, revision }: Pick<ProgramRow, 'id' | 'revision'>): void {
+    this.#saver.knownRevisions.set(id, revision);
+    if (this.#news.news === 'changed-elsewhere' && id === this.#saver.id) this.#showNews(undefined);
   }
 
   showLanguage(): void {
-    this.#news.language = this.#keeping.host.language;
+    this.#news.language = this.#saver.host.language;
   }
 
-  keep(entry: Entry, journalled: Journal): void {
-    this.#journal = journalled;
-    this.#waiting.set(entry.id, entry);
-    void this.#work();
+  save(entry: Entry, journalOutcome: JournalOutcome): void {
+    this.#journal = journalOutcome;
+    this.#pending.set(entry.id, entry);
+    void this.#writePending();
   }
 
-  async written(): Promise<void> {
-    await this.#work();
-    while (this.#working) await new Promise((done) => setTimeout(done, 20));
+  async whenWritten(): Promise<void> {
+    await this.#writePending();
+    while (this.#isWriting) await new Promise((done) => setTimeout(done, 20));
   }
 
   // ---- writing ------------------------------------------------------------------------------------
 
-  async #work(): Promise<void> {
-    if (this.#working) return;
-    this.#working = true;
+  async #writePending(): Promise<void> {
+    if (this.#isWriting) return;
+    this.#isWriting = true;
     try {
       await this.#reportIfLate(this.#ready);
       for (;;) {
-        const [next] = this.#waiting.values();
+        const [next] = this.#pending.values();
         if (next === undefined) return;
-        this.#waiting.delete(next.id);
+        this.#pending.delete(next.id);
         try {
-          if ((await this.#reportIfLate(this.#write(next))) === 'waits') return;
+          if ((await this.#reportIfLate(this.#write(next))) === 'waiting') return;
         } catch (error) {
-          if (!this.#waiting.has(next.id)) this.#waiting.set(next.id, next);
-          this.#failed(error);
+          if (!this.#pending.has(next.id)) this.#pending.set(next.id, next);
+          this.#reportError(error);
           return;
         }
       }
     } finally {
-      this.#working = false;
+      this.#isWriting = false;
     }
   }
 
@@ -117,111 +126,112 @@ export class Session implements KeptList {
    * back/forward cache.
    */
   async #reportIfLate<T>(answer: Promise<T>): Promise<T> {
-    const wait = (): ReturnType<typeof setTimeout> => setTimeout(() => this.#failed(undefined), NO_ANSWER_MS);
-    let late = wait();
-    const waitAgain = (): void => {
-      clearTimeout(late);
-      late = wait();
+    const startTimer = (): ReturnType<typeof setTimeout> =>
+      setTimeout(() => this.#reportError(undefined), ANSWER_TIMEOUT_MS);
+    let timer = startTimer();
+    const restartTimer = (): void => {
+      clearTimeout(timer);
+      timer = startTimer();
     };
-    addEventListener('pageshow', waitAgain);
+    addEventListener('pageshow', restartTimer);
     try {
       return await answer;
     } finally {
-      clearTimeout(late);
-      removeEventListener('pageshow', waitAgain);
+      clearTimeout(timer);
+      removeEventListener('pageshow', restartTimer);
     }
   }
 
-  async #write(entry: Entry): Promise<'done' | 'waits'> {
+  async #write(entry: Entry): Promise<'done' | 'waiting'> {
     const { id } = entry;
-    const base = this.#keeping.known.get(id) ?? entry.base;
+    const base = this.#saver.knownRevisions.get(id) ?? entry.base;
     // An emptied program that was never in the list is not saved.
-    if (base === 0 && entry.program.text.trim() === '') return this.#settle(entry);
+    if (base === 0 && entry.program.text.trim() === '') return this.#finishEntry(entry);
     const outcome = await store.writeProgram({ ...entry, base, name: this.#nameOf(entry.program), state: 'in-time' });
     switch (outcome.kind) {
       case 'too-many':
-        return this.#wait(entry);
+        return this.#keepWaiting(entry);
       case 'conflict':
-        return this.#goOnBeside(entry);
+        return this.#saveAsCopy(entry);
       case 'written': {
-        this.#succeeded();
-        this.#settle(entry);
+        this.#clearFailure();
+        this.#finishEntry(entry);
         // Later edits become a separate program beside that of the other tab.
-        if (outcome.was === 'overtaken') {
-          if (id === this.#keeping.id && entry.tab === TAB) this.#say({ kind: 'changed-elsewhere' });
+        if (outcome.result === 'superseded') {
+          if (id === this.#saver.id && entry.tab === TAB_ID) this.#showNews({ kind: 'changed-elsewhere' });
           return 'done';
         }
-        this.knows(outcome.row);
-        if (outcome.was === 'new' && base > 0) this.#say({ kind: 'cleared' });
-        if (outcome.was !== 'same') this.changed({ kind: 'changed', id, revision: outcome.row.revision });
-        this.#drawSoon();
+        this.noteRevision(outcome.row);
+        if (outcome.result === 'new' && base > 0) this.#showNews({ kind: 'cleared' });
+        if (outcome.result !== 'same') this.changed({ kind: 'changed', id, revision: outcome.row.revision });
+        this.#schedulePicture();
         return 'done';
       }
     }
   }
 
   /** Another tab has changed the same program: saves this text as a separate program. */
-  async #goOnBeside(entry: Entry): Promise<'done' | 'waits'> {
-    const beside = await store.writeBeside(entry);
-    if (beside === 'too-many') return this.#wait(entry);
-    this.knows(beside);
-    const { id, began } = this.#keeping;
-    if (id === entry.id && (entry.tab === TAB || entry.tab === began?.tab)) {
-      this.#keeping.remember(beside.id, entry.program.text);
-      this.#keeping.takes(beside.id);
+  async #saveAsCopy(entry: Entry): Promise<'done' | 'waiting'> {
+    const copy = await store.saveConflictCopy(entry);
+    if (copy === 'too-many') return this.#keepWaiting(entry);
+    this.noteRevision(copy);
+    const { id, startEntry } = this.#saver;
+    if (id === entry.id && (entry.tab === TAB_ID || entry.tab === startEntry?.tab)) {
+      this.#saver.remember(copy.id, entry.program.text);
+      this.#saver.setId(copy.id);
       const { program, time } = entry;
-      keepInJournal({ id: beside.id, time, base: beside.revision, program });
+      saveInJournal({ id: copy.id, time, base: copy.revision, program });
       // Move a newer waiting entry to the new id.
-      const typed = this.#waiting.get(entry.id);
-      this.#waiting.delete(entry.id);
-      if (typed !== undefined) this.#waiting.set(beside.id, { ...typed, id: beside.id, base: beside.revision });
-      this.#say({ kind: 'both-kept', name: beside.name });
+      const newer = this.#pending.get(entry.id);
+      this.#pending.delete(entry.id);
+      if (newer !== undefined) this.#pending.set(copy.id, { ...newer, id: copy.id, base: copy.revision });
+      this.#showNews({ kind: 'both-kept', name: copy.name });
     }
-    this.#settle(entry);
-    this.changed({ kind: 'changed', id: beside.id, revision: beside.revision });
+    this.#finishEntry(entry);
+    this.changed({ kind: 'changed', id: copy.id, revision: copy.revision });
     return 'done';
   }
 
   /** The list is full: the entry waits, unless a newer one of the program already does. */
-  #wait(entry: Entry): 'waits' {
-    if (!this.#waiting.has(entry.id)) this.#waiting.set(entry.id, entry);
-    this.#fail('too-many');
-    return 'waits';
+  #keepWaiting(entry: Entry): 'waiting' {
+    if (!this.#pending.has(entry.id)) this.#pending.set(entry.id, entry);
+    this.#showFailure('too-many');
+    return 'waiting';
   }
 
   /** The entry is in the list: removes it from the journal, now or once it is no longer the last one. */
-  #settle(entry: Entry): 'done' {
-    this.#keeping.isInList(entry);
+  #finishEntry(entry: Entry): 'done' {
+    this.#saver.markWritten(entry);
     this.#written.set(`${entry.id}:${entry.tab}`, entry);
-    for (const [key, written] of this.#written) if (forgetWritten(written) === 'gone') this.#written.delete(key);
+    for (const [key, written] of this.#written) if (removeWritten(written) === 'removed') this.#written.delete(key);
     return 'done';
   }
 
-  #nameOf(program: KeptProgram): string {
-    return nameOf(program, program.example === '' ? undefined : this.#keeping.host.titleOf(program.example));
+  #nameOf(program: SavedProgram): string {
+    return nameOf(program, program.example === '' ? undefined : this.#saver.host.titleOf(program.example));
   }
 
-  #failed(error: unknown): void {
-    this.#fail(store.isFull(error) ? 'full' : this.#journal === 'kept' ? 'last-only' : 'refused');
+  #reportError(error: unknown): void {
+    this.#showFailure(store.isFull(error) ? 'full' : this.#journal === 'saved' ? 'last-only' : 'refused');
   }
 
-  #fail(kind: 'full' | 'refused' | 'last-only' | 'too-many'): void {
-    if (this.#news.news !== kind) this.#say({ kind });
-    clearTimeout(this.#again);
-    this.#again = setTimeout(() => void this.#work(), TRY_AGAIN_MS);
+  #showFailure(kind: 'full' | 'refused' | 'last-only' | 'too-many'): void {
+    if (this.#news.news !== kind) this.#showNews({ kind });
+    clearTimeout(this.#retryTimer);
+    this.#retryTimer = setTimeout(() => void this.#writePending(), RETRY_AFTER_MS);
   }
 
-  #succeeded(): void {
-    clearTimeout(this.#again);
+  #clearFailure(): void {
+    clearTimeout(this.#retryTimer);
     const { news } = this.#news;
-    if (news !== undefined && FAILURES.includes(news)) this.#say(undefined);
+    if (news !== undefined && FAILURE_NEWS.includes(news)) this.#showNews(undefined);
   }
 
   // ---- at start, and other tabs --------------------------------------------------------------------
 
-  async #begin(): Promise<void> {
+  async #start(): Promise<void> {
     try {
-      await this.#takeOver();
+      await this.#writeJournal();
       await this.#compareWithList();
     } catch {
       // Ignored: if there is something to save, writing it reports the failure.
@@ -229,126 +239,137 @@ export class Session implements KeptList {
   }
 
   /** Moves the entries of the journal to the list: from other tabs, or from before the list existed. */
-  async #takeOver(): Promise<void> {
-    for (const entry of journal()) await this.#write(entry);
+  async #writeJournal(): Promise<void> {
+    for (const entry of readJournal()) await this.#write(entry);
   }
 
   /**
    * Shows the program of the list if it is newer than the journal, which loses some seconds when the browser is killed.
    */
   async #compareWithList(): Promise<void> {
-    const { began, host } = this.#keeping;
-    if (began === undefined) {
+    const { startEntry, host } = this.#saver;
+    if (startEntry === undefined) {
       const isFresh =
-        knowsNoLast() &&
+        hasNoLastEntry() &&
         location.hash === '' &&
-        this.#keeping.id === undefined &&
+        this.#saver.id === undefined &&
         host.program.example !== '' &&
-        this.#waiting.size === 0;
+        this.#pending.size === 0;
       const [newest] = isFresh ? await store.listPrograms() : [];
       if (newest !== undefined) await this.#show(newest.id);
       return;
     }
-    const [row, program] = await Promise.all([store.listed(began.id), store.programOf(began.id)]);
+    const [row, program] = await Promise.all([store.readRow(startEntry.id), store.readProgram(startEntry.id)]);
     if (row === undefined || program === undefined) return;
-    if (isSame(program, began.program)) this.knows(row);
-    else if (row.changed > began.time && this.#keeping.id === began.id && isSame(host.program, began.program))
-      await this.#show(began.id);
+    if (isSame(program, startEntry.program)) this.noteRevision(row);
+    else if (
+      row.changed > startEntry.time &&
+      this.#saver.id === startEntry.id &&
+      isSame(host.program, startEntry.program)
+    )
+      await this.#show(startEntry.id);
   }
 
   async #show(id: string): Promise<void> {
-    const [row, program] = await Promise.all([store.listed(id), store.programOf(id)]);
+    const [row, program] = await Promise.all([store.readRow(id), store.readProgram(id)]);
     if (row === undefined || program === undefined) return;
-    await this.#keeping.host.show({ ...program, id });
-    this.knows(row);
+    await this.#saver.host.show({ ...program, id });
+    this.noteRevision(row);
   }
 
-  async #heard(news: TabNews): Promise<void> {
-    this.#tellHere();
+  async #onTabNews(news: TabNews): Promise<void> {
+    this.#notifyListeners();
     if (news.kind === 'list') return;
-    const isHere = news.id === this.#keeping.id;
+    const isCurrent = news.id === this.#saver.id;
     if (news.kind === 'deleted') {
-      this.#forget(news.id);
-      if (isHere) this.#say({ kind: 'deleted-elsewhere' });
-    } else if (isHere && news.revision > (this.#keeping.known.get(news.id) ?? 0)) {
-      const row = await store.listed(news.id).catch(() => undefined);
-      if (row !== undefined && row.tab !== TAB && news.id === this.#keeping.id)
-        this.#say({ kind: 'changed-elsewhere' });
+      this.#forgetProgram(news.id);
+      if (isCurrent) this.#showNews({ kind: 'deleted-elsewhere' });
+    } else if (isCurrent && news.revision > (this.#saver.knownRevisions.get(news.id) ?? 0)) {
+      const row = await store.readRow(news.id).catch(() => undefined);
+      if (row !== undefined && row.tab !== TAB_ID && news.id === this.#saver.id)
+        this.#showNews({ kind: 'changed-elsewhere' });
     }
   }
 
   /** Catches up with other tabs' changes after the page was in the back/forward cache. */
-  async #isShownAgain(): Promise<void> {
-    const { id, known } = this.#keeping;
-    if (id === undefined || !known.has(id)) return;
-    const row = await store.listed(id).catch(() => 'unknown' as const);
+  async #catchUp(): Promise<void> {
+    const { id, knownRevisions } = this.#saver;
+    if (id === undefined || !knownRevisions.has(id)) return;
+    const row = await store.readRow(id).catch(() => 'unknown' as const);
     if (row === 'unknown') return;
-    await this.#heard(row === undefined ? { kind: 'deleted', id } : { kind: 'changed', id, revision: row.revision });
+    await this.#onTabNews(
+      row === undefined ? { kind: 'deleted', id } : { kind: 'changed', id, revision: row.revision },
+    );
   }
 
-  #forget(id: string): void {
-    this.#keeping.known.delete(id);
-    this.#waiting.delete(id);
-    if (this.#keeping.began?.id === id) this.#keeping.began = undefined;
+  #forgetProgram(id: string): void {
+    this.#saver.knownRevisions.delete(id);
+    this.#pending.delete(id);
+    if (this.#saver.startEntry?.id === id) this.#saver.startEntry = undefined;
   }
 
   /** The browser has closed the database: save the program again if it was deleted. */
-  async #closed(): Promise<void> {
-    const { id, host, known } = this.#keeping;
-    if (id === undefined || !known.has(id)) return;
+  async #onDatabaseClosed(): Promise<void> {
+    const { id, host, knownRevisions } = this.#saver;
+    if (id === undefined || !knownRevisions.has(id)) return;
     try {
-      if ((await store.listed(id)) === undefined) this.#keeping.keep(host.program);
+      if ((await store.readRow(id)) === undefined) this.#saver.save(host.program);
     } catch (error) {
-      this.#failed(error);
+      this.#reportError(error);
     }
   }
 
-  #tellHere(): void {
-    for (const heard of this.#heardBy) heard();
+  #notifyListeners(): void {
+    for (const onChange of this.#listeners) onChange();
   }
 
-  async #act(act: NewsAct): Promise<void> {
-    const { id, host } = this.#keeping;
-    switch (act) {
+  async #runAction(action: NewsAct): Promise<void> {
+    const { id, host } = this.#saver;
+    switch (action) {
       case 'save-file':
         return host.playground.saveFile();
       case 'open-list':
         return host.openList();
       case 'show':
         // Save the latest edits first: they become a separate program.
-        host.keepNow();
-        await this.written();
-        if (id === undefined || this.#keeping.id !== id) return;
-        this.#say(undefined);
+        host.saveNow();
+        await this.whenWritten();
+        if (id === undefined || this.#saver.id !== id) return;
+        this.#showNews(undefined);
         return this.#show(id);
       case 'keep-both': {
         if (id !== undefined)
-          await this.#goOnBeside({ id, tab: TAB, time: Date.now(), base: 0, program: host.program });
+          await this.#saveAsCopy({ id, tab: TAB_ID, time: Date.now(), base: 0, program: host.program });
       }
     }
   }
 
-  #say(news: News | undefined): void {
-    this.#newsOf = this.#keeping.id;
+  #showNews(news: News | undefined): void {
+    this.#newsProgramId = this.#saver.id;
     this.#news.show(news);
   }
 
   // ---- pictures -----------------------------------------------------------------------------------
 
-  #drawSoon(): void {
-    clearTimeout(this.#pictureSoon);
-    this.#pictureSoon = setTimeout(() => void this.#draw().catch(() => undefined), PICTURE_AFTER_MS);
+  #schedulePicture(): void {
+    clearTimeout(this.#pictureTimer);
+    this.#pictureTimer = setTimeout(() => void this.#updatePicture().catch(() => undefined), PICTURE_AFTER_MS);
   }
 
-  async #draw(): Promise<void> {
-    const { id, known, host } = this.#keeping;
-    const revision = id === undefined ? undefined : known.get(id);
-    if (id === undefined || revision === undefined || this.#waiting.size > 0 || this.#pictured.get(id) === revision)
+  async #updatePicture(): Promise<void> {
+    const { id, knownRevisions, host } = this.#saver;
+    const revision = id === undefined ? undefined : knownRevisions.get(id);
+    if (
+      id === undefined ||
+      revision === undefined ||
+      this.#pending.size > 0 ||
+      this.#picturedRevisions.get(id) === revision
+    )
       return;
-    this.#pictured.set(id, revision);
-    const picture = await pictureOf(host.playground);
-    if (this.#keeping.id !== id) return;
-    await store.keepPicture(id, revision, picture);
+    this.#picturedRevisions.set(id, revision);
+    const picture = await makePicture(host.playground);
+    if (this.#saver.id !== id) return;
+    await store.savePicture(id, revision, picture);
     this.changed({ kind: 'list' });
   }
 }

@@ -7,58 +7,58 @@
 
 import { openDB, type DBSchema, type IDBPDatabase, type IDBPTransaction } from 'idb';
 import {
-  importAs,
+  importMode,
   isSame,
-  isWorthAState,
+  shouldKeepState,
   LIMITS,
-  listedIn,
-  nameBeside,
-  superfluous,
+  parseRow,
+  uniqueName,
+  statesToDelete,
   withSeen,
-  wordsOf,
-  type FiledProgram,
-  type Listed,
+  searchWords,
+  type ExportedProgram,
+  type ProgramRow,
   type State,
 } from './own-programs';
-import { newId, programIn, TAB, type Entry, type KeptProgram } from './storage';
+import { newId, parseProgram, TAB_ID, type Entry, type SavedProgram } from './storage';
 import type { SmallPicture } from '../../small-picture';
 
 type StateKey = [id: string, time: number, length: number];
 
 interface Schema extends DBSchema {
-  programs: { key: string; value: Listed };
-  texts: { key: string; value: KeptProgram };
-  states: { key: StateKey; value: KeptProgram };
+  programs: { key: string; value: ProgramRow };
+  texts: { key: string; value: SavedProgram };
+  states: { key: StateKey; value: SavedProgram };
 }
 
 type Stores = ['programs', 'texts', 'states'];
 type Mode = 'readonly' | 'readwrite';
 type Transaction<As extends Mode> = IDBPTransaction<Schema, Stores, As>;
-type Writing = Transaction<'readwrite'>;
-type Act<As extends Mode, Outcome> = (transaction: Transaction<As>) => Promise<Outcome>;
+type WriteTransaction = Transaction<'readwrite'>;
+type Operation<As extends Mode, Outcome> = (transaction: Transaction<As>) => Promise<Outcome>;
 
 const NAME = `gcode-playground:programs:${location.pathname}`;
 const STORES: Stores = ['programs', 'texts', 'states'];
 
 /** Events of the database. */
-export interface StoreEvents {
+interface StoreEvents {
   /** The stored programs were deleted, or the browser has closed the database. */
-  closed(): void;
+  onClosed(): void;
 }
 
-let opened: Promise<IDBPDatabase<Schema>> | undefined;
-let upgrading: { abort(): void } | undefined;
-let events: StoreEvents = { closed: () => undefined };
+let databasePromise: Promise<IDBPDatabase<Schema>> | undefined;
+let upgradeTransaction: { abort(): void } | undefined;
+let events: StoreEvents = { onClosed: () => undefined };
 
-export function listen(to: StoreEvents): void {
+export function setStoreEvents(to: StoreEvents): void {
   events = to;
 }
 
-function database(): Promise<IDBPDatabase<Schema>> {
-  if (opened !== undefined) return opened;
+function openDatabase(): Promise<IDBPDatabase<Schema>> {
+  if (databasePromise !== undefined) return databasePromise;
   const opening = openDB<Schema>(NAME, 1, {
     upgrade(db, _old, _new, transaction) {
-      upgrading = transaction;
+      upgradeTransaction = transaction;
       db.createObjectStore('programs', { keyPath: 'id' });
       db.createObjectStore('texts');
       db.createObjectStore('states');
@@ -66,86 +66,86 @@ function database(): Promise<IDBPDatabase<Schema>> {
     // Another tab wants to delete or upgrade the database: close it, and open it again on the next use.
     blocking(_now, _wanted, event) {
       (event.target as IDBDatabase).close();
-      closed();
+      onClosed();
     },
-    terminated: closed,
+    terminated: onClosed,
   });
-  opened = opening;
+  databasePromise = opening;
   opening.catch(() => {
-    if (opened === opening) opened = undefined;
+    if (databasePromise === opening) databasePromise = undefined;
   });
   return opening;
 }
 
-function closed(): void {
-  opened = undefined;
-  events.closed();
+function onClosed(): void {
+  databasePromise = undefined;
+  events.onClosed();
 }
 
 // A page in the back/forward cache receives no more database events (Firefox), and its open transactions block those on
 // all other pages (WebKit). So it aborts all of them and repeats them when it is shown again. Meanwhile the journal
-// contains the text; if it is too long for the journal, the page asks before it is left (`Keeping`). A committed
+// contains the text; if it is too long for the journal, the page asks before it is left (`ProgramSaver`). A committed
 // transaction can be repeated without harm, because all of them are idempotent.
 
-const running = new Set<AbortController>();
-let away: Promise<void> | undefined;
+const attempts = new Set<AbortController>();
+let suspended: Promise<void> | undefined;
 
 addEventListener('pagehide', ({ persisted }) => {
   if (!persisted) return;
-  away ??= new Promise((back) =>
+  suspended ??= new Promise((resume) =>
     addEventListener(
       'pageshow',
       () => {
-        away = undefined;
-        back();
+        suspended = undefined;
+        resume();
       },
       { once: true },
     ),
   );
-  void opened?.then(
+  void databasePromise?.then(
     (open) => open.close(),
     () => undefined,
   );
-  opened = undefined;
-  if (upgrading !== undefined) abort(upgrading);
-  for (const attempt of running) attempt.abort();
+  databasePromise = undefined;
+  if (upgradeTransaction !== undefined) abort(upgradeTransaction);
+  for (const attempt of attempts) attempt.abort();
 });
 
-function read<Outcome>(act: Act<'readonly', Outcome>): Promise<Outcome> {
-  return inTransaction('readonly', act);
+function read<Outcome>(operation: Operation<'readonly', Outcome>): Promise<Outcome> {
+  return inTransaction('readonly', operation);
 }
 
-function change<Outcome>(act: Act<'readwrite', Outcome>): Promise<Outcome> {
-  return inTransaction('readwrite', act);
+function change<Outcome>(operation: Operation<'readwrite', Outcome>): Promise<Outcome> {
+  return inTransaction('readwrite', operation);
 }
 
-async function inTransaction<As extends Mode, Outcome>(mode: As, act: Act<As, Outcome>): Promise<Outcome> {
+async function inTransaction<As extends Mode, Outcome>(mode: As, operation: Operation<As, Outcome>): Promise<Outcome> {
   for (;;) {
-    await away;
+    await suspended;
     const attempt = new AbortController();
     const { signal } = attempt;
-    const letGo = new Promise<undefined>((end) => signal.addEventListener('abort', () => end(undefined)));
-    running.add(attempt);
+    const aborted = new Promise<undefined>((end) => signal.addEventListener('abort', () => end(undefined)));
+    attempts.add(attempt);
     try {
-      const done = await Promise.race([transact(mode, act, signal), letGo]);
+      const done = await Promise.race([transact(mode, operation, signal), aborted]);
       if (done !== undefined) return done.outcome;
     } finally {
-      running.delete(attempt);
+      attempts.delete(attempt);
     }
   }
 }
 
 async function transact<As extends Mode, Outcome>(
   mode: As,
-  act: Act<As, Outcome>,
+  operation: Operation<As, Outcome>,
   signal: AbortSignal,
 ): Promise<{ readonly outcome: Outcome }> {
-  const open = await database();
+  const open = await openDatabase();
   signal.throwIfAborted();
   const transaction = open.transaction(STORES, mode, { durability: 'relaxed' });
   signal.addEventListener('abort', () => abort(transaction));
   try {
-    const outcome = await act(transaction);
+    const outcome = await operation(transaction);
     // Commit explicitly: it then completes even if the page is put into the back/forward cache.
     transaction.commit();
     await transaction.done;
@@ -153,11 +153,11 @@ async function transact<As extends Mode, Outcome>(
   } catch (error) {
     abort(transaction);
     // Both errors have the same cause, but only one of them may be the `QuotaExceededError`.
-    const why: unknown = await transaction.done.then(
+    const transactionError: unknown = await transaction.done.then(
       () => undefined,
       (reason: unknown) => reason,
     );
-    throw isFull(why) ? why : error;
+    throw isFull(transactionError) ? transactionError : error;
   }
 }
 
@@ -177,48 +177,48 @@ export function isFull(error: unknown): boolean {
 // ---- reading --------------------------------------------------------------------------------------
 
 /** All programs, the last changed one first. */
-export async function listPrograms(): Promise<readonly Listed[]> {
+export async function listPrograms(): Promise<readonly ProgramRow[]> {
   const rows = await read((transaction) => transaction.objectStore('programs').getAll());
-  return rows.flatMap((row) => listedIn(row) ?? []).sort((a, b) => b.changed - a.changed);
+  return rows.flatMap((row) => parseRow(row) ?? []).sort((a, b) => b.changed - a.changed);
 }
 
-export async function listed(id: string): Promise<Listed | undefined> {
-  return listedIn(await read((transaction) => transaction.objectStore('programs').get(id)));
+export async function readRow(id: string): Promise<ProgramRow | undefined> {
+  return parseRow(await read((transaction) => transaction.objectStore('programs').get(id)));
 }
 
-export async function programOf(id: string): Promise<KeptProgram | undefined> {
-  return programIn(await read((transaction) => transaction.objectStore('texts').get(id)));
+export async function readProgram(id: string): Promise<SavedProgram | undefined> {
+  return parseProgram(await read((transaction) => transaction.objectStore('texts').get(id)));
 }
 
 /** The earlier states of a program, newest first. */
-export async function statesOf(id: string): Promise<readonly State[]> {
-  const keys = await read((transaction) => transaction.objectStore('states').getAllKeys(allOf(id)));
+export async function readStates(id: string): Promise<readonly State[]> {
+  const keys = await read((transaction) => transaction.objectStore('states').getAllKeys(keyRange(id)));
   return keys.map(([, time, length]) => ({ time, length })).sort((a, b) => b.time - a.time);
 }
 
-export async function programOfState(id: string, state: State): Promise<KeptProgram | undefined> {
-  return programIn(await read((transaction) => transaction.objectStore('states').get(keyOf(id, state))));
+export async function readState(id: string, state: State): Promise<SavedProgram | undefined> {
+  return parseProgram(await read((transaction) => transaction.objectStore('states').get(keyOf(id, state))));
 }
 
 /** All programs with their states, in the form of an exported file. */
-export async function everything(): Promise<readonly FiledProgram[]> {
+export async function readAll(): Promise<readonly ExportedProgram[]> {
   const all = await listPrograms();
-  return (await Promise.all(all.map(({ id }) => filed(id)))).flatMap((one) => one ?? []);
+  return (await Promise.all(all.map(({ id }) => readExported(id)))).flatMap((one) => one ?? []);
 }
 
 /** One program with its states, in the form of an exported file. */
-export function filed(id: string): Promise<FiledProgram | undefined> {
+function readExported(id: string): Promise<ExportedProgram | undefined> {
   return read(async (transaction) => {
-    const row = listedIn(await transaction.objectStore('programs').get(id));
-    const program = programIn(await transaction.objectStore('texts').get(id));
+    const row = parseRow(await transaction.objectStore('programs').get(id));
+    const program = parseProgram(await transaction.objectStore('texts').get(id));
     if (row === undefined || program === undefined) return undefined;
     const [keys, texts] = await Promise.all([
-      transaction.objectStore('states').getAllKeys(allOf(id)),
-      transaction.objectStore('states').getAll(allOf(id)),
+      transaction.objectStore('states').getAllKeys(keyRange(id)),
+      transaction.objectStore('states').getAll(keyRange(id)),
     ]);
     const states = keys.flatMap(([, time], i) => {
-      const then = programIn(texts[i]);
-      return then === undefined ? [] : [{ time, program: then }];
+      const saved = parseProgram(texts[i]);
+      return saved === undefined ? [] : [{ time, program: saved }];
     });
     const { name, namedBy, created, changed } = row;
     return { id, name, namedBy, created, changed, program, states };
@@ -227,14 +227,14 @@ export function filed(id: string): Promise<FiledProgram | undefined> {
 
 // ---- changing -------------------------------------------------------------------------------------
 
-export type Written =
-  /** `overtaken`: the list already had this entry, and another tab has changed the program since. */
-  | { readonly kind: 'written'; readonly row: Listed; readonly was: 'new' | 'there' | 'same' | 'overtaken' }
+type WriteOutcome =
+  /** `superseded`: the list already had this entry, and another tab has changed the program since. */
+  | { readonly kind: 'written'; readonly row: ProgramRow; readonly result: 'new' | 'updated' | 'same' | 'superseded' }
   /** Another tab has changed it since; nothing was written. */
-  | { readonly kind: 'conflict'; readonly row: Listed }
+  | { readonly kind: 'conflict'; readonly row: ProgramRow }
   | { readonly kind: 'too-many' };
 
-export interface Wanted extends Entry {
+interface WriteRequest extends Entry {
   /** The name derived from the program. */
   readonly name: string;
   /**
@@ -243,17 +243,20 @@ export interface Wanted extends Entry {
   readonly state: 'in-time' | 'now';
 }
 
-export function writeProgram(wanted: Wanted): Promise<Written> {
-  return change((transaction) => write(transaction, wanted));
+export function writeProgram(request: WriteRequest): Promise<WriteOutcome> {
+  return change((transaction) => write(transaction, request));
 }
 
-async function write(transaction: Writing, { id, tab, time, base, program, name, state }: Wanted): Promise<Written> {
+async function write(
+  transaction: WriteTransaction,
+  { id, tab, time, base, program, name, state }: WriteRequest,
+): Promise<WriteOutcome> {
   const [programs, texts] = [transaction.objectStore('programs'), transaction.objectStore('texts')];
-  const row = listedIn(await programs.get(id));
-  const before = programIn(await texts.get(id));
+  const row = parseRow(await programs.get(id));
+  const before = parseProgram(await texts.get(id));
   if (row === undefined || before === undefined) {
     if ((await programs.count()) >= LIMITS.programs) return { kind: 'too-many' };
-    const created: Listed = {
+    const created: ProgramRow = {
       id,
       name,
       namedBy: 'program',
@@ -263,24 +266,24 @@ async function write(transaction: Writing, { id, tab, time, base, program, name,
       tab,
       seen: { [tab]: time },
       length: program.text.length,
-      words: wordsOf(program.text),
+      words: searchWords(program.text),
     };
     await Promise.all([programs.put(created), texts.put(program, id)]);
-    return { kind: 'written', row: created, was: 'new' };
+    return { kind: 'written', row: created, result: 'new' };
   }
   // The list already had this entry of the journal.
   if ((row.seen[tab] ?? 0) >= time)
-    return { kind: 'written', row, was: row.tab === tab || isSame(before, program) ? 'same' : 'overtaken' };
+    return { kind: 'written', row, result: row.tab === tab || isSame(before, program) ? 'same' : 'superseded' };
   const seen = withSeen(row, tab, time);
   if (isSame(before, program)) {
     await programs.put({ ...row, seen });
-    return { kind: 'written', row, was: 'same' };
+    return { kind: 'written', row, result: 'same' };
   }
   if (row.revision !== base && row.tab !== tab) return { kind: 'conflict', row };
   // A text of another tab always becomes an earlier state, since this tab has not edited it.
-  await keepState(transaction, row, before, time, row.tab === tab ? state : 'now');
+  await saveState(transaction, row, before, time, row.tab === tab ? state : 'now');
   // Keep the old picture until there is a new one.
-  const changed: Listed = {
+  const changed: ProgramRow = {
     ...row,
     name: row.namedBy === 'reader' ? row.name : name,
     changed: time,
@@ -288,28 +291,28 @@ async function write(transaction: Writing, { id, tab, time, base, program, name,
     tab,
     seen,
     length: program.text.length,
-    words: wordsOf(program.text),
+    words: searchWords(program.text),
   };
   await Promise.all([programs.put(changed), texts.put(program, id)]);
-  return { kind: 'written', row: changed, was: 'there' };
+  return { kind: 'written', row: changed, result: 'updated' };
 }
 
 /**
  * Saves an entry that is in conflict with another tab's text as a separate program, with a name derived from the other.
  */
-export function writeBeside({ id, tab, time, program }: Entry): Promise<Listed | 'too-many'> {
-  const idBeside = newId();
+export function saveConflictCopy({ id, tab, time, program }: Entry): Promise<ProgramRow | 'too-many'> {
+  const copyId = newId();
   return change(async (transaction) => {
     const programs = transaction.objectStore('programs');
-    const all = (await programs.getAll()).flatMap((row) => listedIn(row) ?? []);
-    const done = all.find((row) => row.id === idBeside);
+    const all = (await programs.getAll()).flatMap((row) => parseRow(row) ?? []);
+    const done = all.find((row) => row.id === copyId);
     if (done !== undefined) return done;
     if (all.length >= LIMITS.programs) return 'too-many';
-    const there = all.find((row) => row.id === id);
-    const beside: Listed = {
-      id: idBeside,
-      name: nameBeside(
-        there?.name ?? '',
+    const existing = all.find((row) => row.id === id);
+    const copy: ProgramRow = {
+      id: copyId,
+      name: uniqueName(
+        existing?.name ?? '',
         all.map(({ name }) => name),
       ),
       namedBy: 'reader',
@@ -319,42 +322,42 @@ export function writeBeside({ id, tab, time, program }: Entry): Promise<Listed |
       tab,
       seen: {},
       length: program.text.length,
-      words: wordsOf(program.text),
+      words: searchWords(program.text),
     };
-    await Promise.all([programs.put(beside), transaction.objectStore('texts').put(program, beside.id)]);
-    if (there !== undefined) await programs.put({ ...there, seen: withSeen(there, tab, time) });
-    return beside;
+    await Promise.all([programs.put(copy), transaction.objectStore('texts').put(program, copy.id)]);
+    if (existing !== undefined) await programs.put({ ...existing, seen: withSeen(existing, tab, time) });
+    return copy;
   });
 }
 
-async function keepState(
-  transaction: Writing,
-  { id, changed }: Listed,
-  before: KeptProgram,
+async function saveState(
+  transaction: WriteTransaction,
+  { id, changed }: ProgramRow,
+  before: SavedProgram,
   now: number,
-  when: Wanted['state'],
+  when: WriteRequest['state'],
 ): Promise<void> {
   const states = transaction.objectStore('states');
-  const there = (await states.getAllKeys(allOf(id))).map(([, time, length]) => ({ time, length }));
-  if (when === 'in-time' && !isWorthAState(there, now)) return;
+  const existing = (await states.getAllKeys(keyRange(id))).map(([, time, length]) => ({ time, length }));
+  if (when === 'in-time' && !shouldKeepState(existing, now)) return;
   const added: State = { time: changed, length: before.text.length };
   await states.put(before, keyOf(id, added));
-  const gone = superfluous([...there, added], now);
-  await Promise.all(gone.map((state) => states.delete(keyOf(id, state))));
+  const expired = statesToDelete([...existing, added], now);
+  await Promise.all(expired.map((state) => states.delete(keyOf(id, state))));
 }
 
 /** Restores an earlier state; the replaced text becomes an earlier state. */
-export async function restoreState(id: string, state: State): Promise<KeptProgram | undefined> {
+export async function restoreState(id: string, state: State): Promise<SavedProgram | undefined> {
   return change(async (transaction) => {
-    const [row, then] = await Promise.all([
+    const [row, saved] = await Promise.all([
       transaction.objectStore('programs').get(id),
       transaction.objectStore('states').get(keyOf(id, state)),
     ]);
-    const [now, program] = [listedIn(row), programIn(then)];
+    const [now, program] = [parseRow(row), parseProgram(saved)];
     if (now === undefined || program === undefined) return undefined;
     await write(transaction, {
       id,
-      tab: TAB,
+      tab: TAB_ID,
       time: Math.max(Date.now(), now.changed + 1),
       base: now.revision,
       program,
@@ -366,23 +369,23 @@ export async function restoreState(id: string, state: State): Promise<KeptProgra
 }
 
 /** Sets the name of a program; an empty `name` restores the name derived from the program. */
-export async function rename(id: string, name: string, byItself: (program: KeptProgram) => string): Promise<void> {
+export async function rename(id: string, name: string, derivedName: (program: SavedProgram) => string): Promise<void> {
   await change(async (transaction) => {
     const programs = transaction.objectStore('programs');
-    const row = listedIn(await programs.get(id));
-    const program = programIn(await transaction.objectStore('texts').get(id));
+    const row = parseRow(await programs.get(id));
+    const program = parseProgram(await transaction.objectStore('texts').get(id));
     if (row === undefined || program === undefined) return;
     await programs.put(
-      name === '' ? { ...row, name: byItself(program), namedBy: 'program' } : { ...row, name, namedBy: 'reader' },
+      name === '' ? { ...row, name: derivedName(program), namedBy: 'program' } : { ...row, name, namedBy: 'reader' },
     );
   });
 }
 
 /** Stores the picture of a revision, if that is still the newest. */
-export async function keepPicture(id: string, revision: number, picture: SmallPicture | undefined): Promise<void> {
+export async function savePicture(id: string, revision: number, picture: SmallPicture | undefined): Promise<void> {
   await change(async (transaction) => {
     const programs = transaction.objectStore('programs');
-    const row = listedIn(await programs.get(id));
+    const row = parseRow(await programs.get(id));
     if (row === undefined || row.revision !== revision) return;
     const { picture: _, ...rest } = row;
     await programs.put(picture === undefined ? rest : { ...rest, picture });
@@ -390,22 +393,22 @@ export async function keepPicture(id: string, revision: number, picture: SmallPi
 }
 
 /** Saves a copy as a separate program. */
-export async function duplicate(id: string): Promise<Listed | 'too-many' | undefined> {
-  const idOfCopy = newId();
+export async function duplicate(id: string): Promise<ProgramRow | 'too-many' | undefined> {
+  const copyId = newId();
   return change(async (transaction) => {
     const programs = transaction.objectStore('programs');
-    const all = (await programs.getAll()).flatMap((row) => listedIn(row) ?? []);
-    const done = all.find((row) => row.id === idOfCopy);
+    const all = (await programs.getAll()).flatMap((row) => parseRow(row) ?? []);
+    const done = all.find((row) => row.id === copyId);
     if (done !== undefined) return done;
     const row = all.find((one) => one.id === id);
-    const program = programIn(await transaction.objectStore('texts').get(id));
+    const program = parseProgram(await transaction.objectStore('texts').get(id));
     if (row === undefined || program === undefined) return undefined;
     if (all.length >= LIMITS.programs) return 'too-many';
     const now = Date.now();
-    const copy: Listed = {
+    const copy: ProgramRow = {
       ...row,
-      id: idOfCopy,
-      name: nameBeside(
+      id: copyId,
+      name: uniqueName(
         row.name,
         all.map(({ name }) => name),
       ),
@@ -413,7 +416,7 @@ export async function duplicate(id: string): Promise<Listed | 'too-many' | undef
       created: now,
       changed: now,
       revision: 1,
-      tab: TAB,
+      tab: TAB_ID,
       seen: {},
     };
     await Promise.all([programs.put(copy), transaction.objectStore('texts').put(program, copy.id)]);
@@ -422,70 +425,69 @@ export async function duplicate(id: string): Promise<Listed | 'too-many' | undef
 }
 
 /** Deletes a program with its states and returns them, for undo. */
-export async function deleteProgram(id: string): Promise<FiledProgram | undefined> {
-  const whole = await filed(id);
+export async function deleteProgram(id: string): Promise<ExportedProgram | undefined> {
+  const deleted = await readExported(id);
   await change(async (transaction) => {
     await Promise.all([
       transaction.objectStore('programs').delete(id),
       transaction.objectStore('texts').delete(id),
-      transaction.objectStore('states').delete(allOf(id)),
+      transaction.objectStore('states').delete(keyRange(id)),
     ]);
   });
-  return whole;
+  return deleted;
 }
 
-export interface Imported {
+interface Imported {
   readonly added: number;
-  readonly alreadyThere: number;
+  readonly duplicates: number;
   readonly noRoom: number;
 }
 
 /** Adds programs; existing ones are not changed. */
-export async function addPrograms(programs: readonly FiledProgram[]): Promise<Imported> {
-  const given = programs.map((one) => ({ one, idBeside: newId() }));
+export async function addPrograms(programs: readonly ExportedProgram[]): Promise<Imported> {
+  const withCopyIds = programs.map((one) => ({ one, copyId: newId() }));
   return change(async (transaction) => {
-    let [added, alreadyThere, noRoom] = [0, 0, 0];
-    for (const { one, idBeside } of given) {
-      const as = importAs(one, programIn(await transaction.objectStore('texts').get(one.id)));
-      if (as === 'there-already' || (await transaction.objectStore('programs').getKey(idBeside)) !== undefined)
-        alreadyThere++;
+    let [added, duplicates, noRoom] = [0, 0, 0];
+    for (const { one, copyId } of withCopyIds) {
+      const as = importMode(one, parseProgram(await transaction.objectStore('texts').get(one.id)));
+      if (as === 'duplicate' || (await transaction.objectStore('programs').getKey(copyId)) !== undefined) duplicates++;
       else if ((await transaction.objectStore('programs').count()) >= LIMITS.programs) noRoom++;
       else {
-        await add(transaction, as === 'new' ? one : { ...one, id: idBeside });
+        await add(transaction, as === 'new' ? one : { ...one, id: copyId });
         added++;
       }
     }
-    return { added, alreadyThere, noRoom };
+    return { added, duplicates, noRoom };
   });
 }
 
 async function add(
-  transaction: Writing,
-  { id, name, namedBy, created, changed, program, states }: FiledProgram,
+  transaction: WriteTransaction,
+  { id, name, namedBy, created, changed, program, states }: ExportedProgram,
 ): Promise<void> {
-  const row: Listed = {
+  const row: ProgramRow = {
     id,
     name,
     namedBy,
     created,
     changed,
     revision: 1,
-    tab: TAB,
+    tab: TAB_ID,
     seen: {},
     length: program.text.length,
-    words: wordsOf(program.text),
+    words: searchWords(program.text),
   };
   await Promise.all([transaction.objectStore('programs').put(row), transaction.objectStore('texts').put(program, id)]);
   const earlier = states.map((state) => ({ ...state, length: state.program.text.length }));
-  const gone = new Set(superfluous(earlier, Date.now()));
+  const expired = new Set(statesToDelete(earlier, Date.now()));
   for (const state of earlier)
-    if (!gone.has(state)) await transaction.objectStore('states').put(state.program, keyOf(id, state));
+    if (!expired.has(state)) await transaction.objectStore('states').put(state.program, keyOf(id, state));
 }
 
 function keyOf(id: string, { time, length }: State): StateKey {
   return [id, time, length];
 }
 
-function allOf(id: string): IDBKeyRange {
+function keyRange(id: string): IDBKeyRange {
   return IDBKeyRange.bound([id], [id, []]);
 }

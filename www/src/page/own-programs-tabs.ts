@@ -4,7 +4,7 @@
 // `BroadcastChannel` there are no messages; even so, nothing is overwritten, since the store compares revisions. Must
 // not know: how a tab reacts.
 
-import { isCount, isId, TAB } from './storage';
+import { isCount, isId, TAB_ID } from './storage';
 
 export type TabNews =
   | { readonly kind: 'changed'; readonly id: string; readonly revision: number }
@@ -17,19 +17,19 @@ const NAME = `gcode-playground:programs:${location.pathname}`;
 export class Tabs {
   readonly #channel = typeof BroadcastChannel === 'undefined' ? undefined : new BroadcastChannel(NAME);
 
-  constructor(heard: (news: TabNews) => void) {
+  constructor(onNews: (news: TabNews) => void) {
     this.#channel?.addEventListener('message', ({ data }: MessageEvent<unknown>) => {
-      const news = newsIn(data);
-      if (news !== undefined) heard(news);
+      const news = parseNews(data);
+      if (news !== undefined) onNews(news);
     });
   }
 
-  tell(news: TabNews): void {
-    this.#channel?.postMessage({ ...news, tab: TAB });
+  post(news: TabNews): void {
+    this.#channel?.postMessage({ ...news, tab: TAB_ID });
   }
 }
 
-function newsIn(data: unknown): TabNews | undefined {
+function parseNews(data: unknown): TabNews | undefined {
   const { kind, id, revision } = Object(data) as Partial<Record<'kind' | 'id' | 'revision', unknown>>;
   if (kind === 'list') return { kind };
   if (!isId(id)) return undefined;

@@ -5,7 +5,7 @@ import { words } from '../dom/words';
 
 export const NEWS_WORDS = words({
   en: {
-    said: {
+    messages: {
       'changed-elsewhere': 'This program was changed in another tab.',
       'both-kept': (name: string) =>
         `This program was changed in another tab, too. Both are kept: this one is now “${name}”.`,
@@ -18,7 +18,7 @@ export const NEWS_WORDS = words({
       'too-many':
         'The list of your programs is full: this program is not in it. Save it as a file, or delete programs that you no longer need.',
     },
-    acts: {
+    actions: {
       show: 'Show the other text',
       'keep-both': 'Keep both',
       'save-file': 'Save file',
@@ -26,7 +26,7 @@ export const NEWS_WORDS = words({
     },
   },
   zh: {
-    said: {
+    messages: {
       'changed-elsewhere': '此程序已在另一个标签页中被修改。',
       'both-kept': (name) => `此程序在另一个标签页中也被修改。两份都已保留：这一份现名为“${name}”。`,
       'deleted-elsewhere': '此程序已在另一个标签页中被删除。文本仍在这里；再次修改后会重新进入列表。',
@@ -36,10 +36,10 @@ export const NEWS_WORDS = words({
       cleared: '浏览器为此页面保留的内容已被清除。此程序仍在这里，并已重新保留。',
       'too-many': '程序列表已满：此程序不在列表中。请将其保存为文件，或删除不再需要的程序。',
     },
-    acts: { show: '显示另一份文本', 'keep-both': '两份都保留', 'save-file': '保存文件', 'open-list': '我的程序…' },
+    actions: { show: '显示另一份文本', 'keep-both': '两份都保留', 'save-file': '保存文件', 'open-list': '我的程序…' },
   },
   ru: {
-    said: {
+    messages: {
       'changed-elsewhere': 'Эта программа изменена в другой вкладке.',
       'both-kept': (name) =>
         `Эта программа изменена и в другой вкладке. Сохранены обе: эта теперь называется «${name}».`,
@@ -53,7 +53,7 @@ export const NEWS_WORDS = words({
       'too-many':
         'Список ваших программ заполнен: этой программы в нём нет. Сохраните её в файл или удалите ненужные программы.',
     },
-    acts: {
+    actions: {
       show: 'Показать другой текст',
       'keep-both': 'Оставить обе',
       'save-file': 'Сохранить в файл',
@@ -76,9 +76,9 @@ export const LIST_WORDS = words({
     noName: 'Program without a name',
     open: 'Open',
     more: (name: string) => `What can be done with ${name}`,
-    acts: { rename: 'Rename', duplicate: 'Duplicate', states: 'Earlier states', delete: 'Delete' },
+    actions: { rename: 'Rename', duplicate: 'Duplicate', states: 'Earlier states', delete: 'Delete' },
     newName: 'New name',
-    take: 'Rename',
+    confirmRename: 'Rename',
     deleted: (name: string) => `“${name}” was deleted.`,
     undo: 'Undo',
     tooMany: 'The list is full: delete programs that you no longer need.',
@@ -114,9 +114,9 @@ export const LIST_WORDS = words({
     noName: '未命名的程序',
     open: '打开',
     more: (name) => `对“${name}”的操作`,
-    acts: { rename: '重命名', duplicate: '复制', states: '历史版本', delete: '删除' },
+    actions: { rename: '重命名', duplicate: '复制', states: '历史版本', delete: '删除' },
     newName: '新名称',
-    take: '重命名',
+    confirmRename: '重命名',
     deleted: (name) => `已删除“${name}”。`,
     undo: '撤销',
     tooMany: '列表已满：请删除不再需要的程序。',
@@ -152,9 +152,9 @@ export const LIST_WORDS = words({
     noName: 'Программа без имени',
     open: 'Открыть',
     more: (name) => `Действия с программой «${name}»`,
-    acts: { rename: 'Переименовать', duplicate: 'Создать копию', states: 'Прежние версии', delete: 'Удалить' },
+    actions: { rename: 'Переименовать', duplicate: 'Создать копию', states: 'Прежние версии', delete: 'Удалить' },
     newName: 'Новое имя',
-    take: 'Переименовать',
+    confirmRename: 'Переименовать',
     deleted: (name) => `Программа «${name}» удалена.`,
     undo: 'Отменить',
     tooMany: 'Список заполнен: удалите ненужные программы.',

@@ -9,33 +9,33 @@ import './page.css';
 import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
 import type { GcodePlayground, OpenedProgram } from '../shell/element';
-import type { ProgramContext } from '../editor/holder';
+import type { ProgramContext } from '../editor/text-store';
 import type { ProgramFile } from '../editor/program-text';
-import { folded } from '../files/line-ends';
-import { AboveProgram } from './above';
+import { foldLineEnds } from '../files/line-ends';
+import { Intro } from './intro';
 import { Actions } from './actions';
 import { Appearance } from './appearance';
 import { ExampleList } from './example-list';
 import { find, label } from './find';
-import { FIRST_EXAMPLE, loadExample, type Example, type NoExample } from './gallery';
+import { FIRST_EXAMPLE, loadExample, type Example, type ExampleFailure } from './gallery';
 import type { Fault } from './link-bar';
-import { inAddress, linkedProgram, type InAddress, type LinkedProgram } from './linked';
+import { parseAddress, parsePlainLink, type AddressContent, type LinkedProgram } from './linked';
 import type { Offline } from './offline';
 import { OpenedLink } from './opened-link';
 import { LANGUAGES, languageOf, type Language } from '../dom/language';
 import { COMMON } from '../dom/words';
 import { PAGE_WORDS } from './words';
-import { isWorkOn, keepWorkOn, lastWorkOn, workOn, type FoundWork, type Work } from './task-work';
-import { Keeping } from './keeping';
+import { isWorkOn, saveWorkOn, lastWorkOn, findWorkOn, type FoundWork, type Work } from './task-work';
+import { ProgramSaver } from './program-saver';
 import {
-  choices,
-  forgetLast,
-  keepChoices,
-  lastEntry,
-  LONGEST_IN_JOURNAL,
-  LONGEST_KEPT,
+  readChoices,
+  clearLastEntry,
+  saveChoices,
+  readLastEntry,
+  MAX_JOURNAL_LENGTH,
+  MAX_SAVED_LENGTH,
   type Entry,
-  type KeptProgram,
+  type SavedProgram,
   type OwnProgram,
 } from './storage';
 
@@ -45,13 +45,13 @@ const CONTROLS = [
   ['forum', 'Forum'],
 ] as const;
 /** The origin of the program of a link; no example has this id. */
-const OF_A_LINK = '#program';
+const LINK_ORIGIN = '#program';
 /** The hints for a first visit. */
 const HINTS = 'edit play pick';
 /** Delay before a change is saved, together with later ones. */
-const KEEP_AFTER_MS = 400;
+const SAVE_AFTER_MS = 400;
 /** How long the user must pause before a long program is saved: saving after each key would block the page. */
-const KEEP_LONG_AFTER_MS = 1500;
+const SAVE_LONG_AFTER_MS = 1500;
 /** The delay in browsers without `requestIdleCallback`. */
 const IDLE_AFTER_MS = 1000;
 
@@ -68,21 +68,23 @@ const fileInput = find<HTMLInputElement>('file');
 const settingsToggle = find<HTMLButtonElement>('settings-toggle');
 const settings = find('settings');
 
-let language: Language = languageOf(linkedProgram(location.hash)?.language ?? choices().language ?? navigator.language);
+let language: Language = languageOf(
+  parsePlainLink(location.hash)?.language ?? readChoices().language ?? navigator.language,
+);
 let example: Example | undefined;
 /** A part was stored for an example that is compared with it. */
 let isComparing = false;
 /** The examples of this visit; undo can restore each of them. */
-const shown = new Map<string, Example>();
+const shownExamples = new Map<string, Example>();
 /** Number of requests to show a program, so that a late answer to an earlier one can be dropped. */
-let asked = 0;
+let requestCount = 0;
 /** Whether the initial address was read. */
-let begun = false;
+let isStarted = false;
 /** The link that each program of this tab started from; undo can restore a program of another link. */
-const beganAs = new Map<string, string>();
-let keepingSoon: ReturnType<typeof setTimeout> | undefined;
+const originLinks = new Map<string, string>();
+let saveTimer: ReturnType<typeof setTimeout> | undefined;
 /** The text as last loaded or saved. */
-let known = '';
+let savedText = '';
 /** Loaded once the page is settled. */
 let offline: Offline | undefined;
 
@@ -96,43 +98,43 @@ const host = {
     return example;
   },
   get program() {
-    return programNow();
+    return currentProgram();
   },
-  get asked() {
-    return asked;
+  get requestCount() {
+    return requestCount;
   },
-  get keeping() {
-    return ownPrograms;
+  get saver() {
+    return saver;
   },
-  keepNow,
+  saveNow,
   async show(program: OwnProgram): Promise<void> {
-    await bringBack(program);
-    keepSoon();
+    await restoreProgram(program);
+    scheduleSave();
   },
-  titleOf: (id: string) => shown.get(id)?.title[language],
-  openList: () => actions.act('own-programs'),
+  titleOf: (id: string) => shownExamples.get(id)?.title[language],
+  openList: () => actions.run('own-programs'),
   choose: (id: string) => void choose(id),
-  missing(again: (() => void) | undefined): void {
-    if (again !== undefined) above.showNotLoaded(again);
-    else if (above.now.kind === 'not-loaded') above.show({ kind: 'example' });
+  onGalleryMissing(retry: (() => void) | undefined): void {
+    if (retry !== undefined) intro.showNotLoaded(retry);
+    else if (intro.current.kind === 'not-loaded') intro.show({ kind: 'example' });
   },
-  startAfresh(): void {
-    keepNow();
-    forgetLast();
+  resetToExample(): void {
+    saveNow();
+    clearLastEntry();
     load(example ?? FIRST_EXAMPLE);
   },
-  openAgain(address: string, linked: LinkedProgram): void {
-    keepNow();
+  reopenLink(address: string, linked: LinkedProgram): void {
+    saveNow();
     history.replaceState(null, '', address);
     loadLinked(linked);
   },
-  bringBack: (program: OwnProgram) => void bringBack(program),
+  restoreProgram: (program: OwnProgram) => void restoreProgram(program),
 };
-const above = new AboveProgram(host);
+const intro = new Intro(host);
 const examples = new ExampleList(host);
 const appearance = new Appearance(playground);
 const link = new OpenedLink(host);
-const ownPrograms = new Keeping(host);
+const saver = new ProgramSaver(host);
 const actions = new Actions(find('actions'), host);
 
 start();
@@ -142,50 +144,55 @@ function start(): void {
   for (const tag of LANGUAGES)
     languageSelect.append(make('option', { value: tag, lang: tag }, PAGE_WORDS[tag].languageName));
   playground.id = 'playground';
-  playground.setAttribute('hints', choices().hints ?? HINTS);
-  const { split } = choices();
+  playground.setAttribute('hints', readChoices().hints ?? HINTS);
+  const { split } = readChoices();
   if (split !== undefined) playground.setAttribute('split', split);
   showLanguage();
-  listen();
-  void begin().then(() => {
+  addListeners();
+  void showInitialProgram().then(() => {
     if (!playground.isConnected) find('main').append(playground);
   });
 }
 
 /** Shows the program of a link in the address, the saved one, the example in the address, or the first one. */
-async function begin(): Promise<void> {
-  const { found, work } = await lookUp('last-at-once');
-  begun = true;
-  const entry = lastEntry();
-  const kept = entry === undefined ? undefined : { ...entry.program, id: entry.id };
+async function showInitialProgram(): Promise<void> {
+  const { found, work } = await readAddress('journal-first');
+  isStarted = true;
+  const entry = readLastEntry();
+  const saved = entry === undefined ? undefined : { ...entry.program, id: entry.id };
   if (found.kind === 'linked') {
     const { linked } = found;
     if (work.kind === 'work') return showWork(work.work, linked);
     // The same text as in the link, but possibly with a changed setup.
-    if (kept !== undefined && entry !== undefined && kept.example === '' && folded(kept.text) === folded(linked.text))
-      return showWork({ program: kept, entry }, linked);
+    if (
+      saved !== undefined &&
+      entry !== undefined &&
+      saved.example === '' &&
+      foldLineEnds(saved.text) === foldLineEnds(linked.text)
+    )
+      return showWork({ program: saved, entry }, linked);
     loadLinked(linked);
-    if (kept !== undefined && kept.text !== linked.text) above.show({ kind: 'kept', program: kept });
+    if (saved !== undefined && saved.text !== linked.text) intro.show({ kind: 'previous', program: saved });
     offerLater(work);
     return;
   }
   const id = location.hash.slice(1);
-  const missing = await beginWithoutLink(id, entry, kept);
+  const missing = await showWithoutLink(id, entry, saved);
   if (found.kind === 'fault') showFault(found.fault);
   else if (missing !== undefined && id !== '' && location.hash.slice(1) === id) showMissing(missing, id);
 }
 
 /** Reads the address and finds the user's work on its task; starts again if the address changes meanwhile. */
-async function lookUp(
-  last: 'last-at-once' | 'as-listed',
-): Promise<{ readonly found: InAddress; readonly work: FoundWork }> {
+async function readAddress(
+  last: 'journal-first' | 'from-list',
+): Promise<{ readonly found: AddressContent; readonly work: FoundWork }> {
   for (;;) {
     const { hash } = location;
-    const found = await inAddress(hash);
+    const found = await parseAddress(hash);
     let work: FoundWork = { kind: 'none' };
     if (found.kind === 'linked' && found.linked.task !== null) {
-      const atOnce = last === 'last-at-once' ? lastWorkOn(hash) : undefined;
-      work = atOnce === undefined ? await workOn(hash) : { kind: 'work', work: atOnce };
+      const fromJournal = last === 'journal-first' ? lastWorkOn(hash) : undefined;
+      work = fromJournal === undefined ? await findWorkOn(hash) : { kind: 'work', work: fromJournal };
     }
     if (location.hash === hash) return { found, work };
   }
@@ -195,48 +202,48 @@ async function lookUp(
  * Shows the saved program, the example in the address, or the first one. Returns why the example in the address is not
  * shown.
  */
-async function beginWithoutLink(
+async function showWithoutLink(
   id: string,
   entry: Entry | undefined,
-  kept: OwnProgram | undefined,
-): Promise<NoExample | undefined> {
+  saved: OwnProgram | undefined,
+): Promise<ExampleFailure | undefined> {
   const loaded = await loadExample(id);
-  const named = typeof loaded === 'string' ? undefined : loaded;
-  if (kept !== undefined && (named === undefined || named.id === kept.example)) {
-    restore(kept, await keptExample(kept));
-    ownPrograms.began = entry;
+  const addressExample = typeof loaded === 'string' ? undefined : loaded;
+  if (saved !== undefined && (addressExample === undefined || addressExample.id === saved.example)) {
+    restore(saved, await loadStartExample(saved));
+    saver.startEntry = entry;
   } else {
-    if ((await layUnder(named, ++asked)) === 'late') return undefined;
-    load(named ?? FIRST_EXAMPLE);
-    if (kept !== undefined) above.show({ kind: 'kept', program: kept });
+    if ((await showComparedPart(addressExample, ++requestCount)) === 'late') return undefined;
+    load(addressExample ?? FIRST_EXAMPLE);
+    if (saved !== undefined) intro.show({ kind: 'previous', program: saved });
   }
   return typeof loaded === 'string' ? loaded : undefined;
 }
 
 /** Reports an example that does not exist or could not be loaded; the program stays. */
-function showMissing(reason: NoExample, id: string): void {
+function showMissing(reason: ExampleFailure, id: string): void {
   if (reason === 'unknown') showFault({ kind: 'unknown' });
-  else above.showNotLoaded(() => void choose(id));
+  else intro.showNotLoaded(() => void choose(id));
 }
 
 /** The example that a saved program started from. */
-async function keptExample(kept: KeptProgram): Promise<Example | undefined> {
-  if (kept.example === '') return undefined;
-  const began = await loadExample(kept.example);
-  return typeof began === 'string' ? FIRST_EXAMPLE : began;
+async function loadStartExample(saved: SavedProgram): Promise<Example | undefined> {
+  if (saved.example === '') return undefined;
+  const startExample = await loadExample(saved.example);
+  return typeof startExample === 'string' ? FIRST_EXAMPLE : startExample;
 }
 
 /** Loads an example that the user has selected, unless another one was requested since. */
 async function choose(id: string): Promise<void> {
-  const own = ++asked;
+  const request = ++requestCount;
   const chosen = await loadExample(id);
-  if (own !== asked) return;
+  if (request !== requestCount) return;
   if (typeof chosen === 'string') {
     examples.show();
     return showMissing(chosen, id);
   }
-  keepNow();
-  if ((await layUnder(chosen, own)) === 'late') return;
+  saveNow();
+  if ((await showComparedPart(chosen, request)) === 'late') return;
   load(chosen);
   history.replaceState(null, '', `#${chosen.id}`);
 }
@@ -245,14 +252,14 @@ async function choose(id: string): Promise<void> {
  * Runs the program that an example is compared with, and stores its part; `late` if another program was requested
  * since.
  */
-async function layUnder(chosen: Example | undefined, own: number): Promise<'in-time' | 'late'> {
+async function showComparedPart(chosen: Example | undefined, request: number): Promise<'in-time' | 'late'> {
   const other = chosen?.compareWith === undefined ? undefined : await loadExample(chosen.compareWith);
-  if (own !== asked) return 'late';
+  if (request !== requestCount) return 'late';
   if (other === undefined || typeof other === 'string') return 'in-time';
   load(other);
   if (!playground.isConnected) find('main').append(playground);
   await playground.settled;
-  if (own !== asked) return 'late';
+  if (request !== requestCount) return 'late';
   playground.keepPart();
   isComparing = true;
   return 'in-time';
@@ -260,38 +267,38 @@ async function layUnder(chosen: Example | undefined, own: number): Promise<'in-t
 
 /** The program of a link has no example. */
 function loadLinked(linked: LinkedProgram): void {
-  asked++;
+  requestCount++;
   load(undefined);
   const { text, control, setup, blockSkip, program, file } = linked;
-  put(
-    { control, setup, blockSkip, program, origin: OF_A_LINK },
+  setProgram(
+    { control, setup, blockSkip, program, origin: LINK_ORIGIN },
     { text, file: (file ?? undefined) as ProgramFile | undefined },
   );
   showAsLinked(linked);
   examples.show();
-  above.show({ kind: 'example' });
+  intro.show({ kind: 'example' });
 }
 
 /** Shows the user's version of the program of the link in the address. */
 function showWork({ program, entry, revision }: Work, linked: LinkedProgram): void {
   const { id, text } = program;
-  restore(program, undefined, OF_A_LINK);
-  if (entry !== undefined) ownPrograms.began = entry;
-  if (revision !== undefined) ownPrograms.known.set(id, revision);
-  beganAs.set(id, location.hash);
+  restore(program, undefined, LINK_ORIGIN);
+  if (entry !== undefined) saver.startEntry = entry;
+  if (revision !== undefined) saver.knownRevisions.set(id, revision);
+  originLinks.set(id, location.hash);
   showAsLinked(linked);
-  if (folded(text) !== folded(linked.text)) above.show({ kind: 'linked', address: location.hash, linked });
+  if (foldLineEnds(text) !== foldLineEnds(linked.text)) intro.show({ kind: 'linked', address: location.hash, linked });
 }
 
 /** Restores a program and saves the current one; if it is the work on the task in the address, it is shown as such. */
-async function bringBack(program: OwnProgram): Promise<void> {
-  const began = await keptExample(program);
-  keepNow();
-  const open = link.inAddress;
+async function restoreProgram(program: OwnProgram): Promise<void> {
+  const startExample = await loadStartExample(program);
+  saveNow();
+  const open = link.current;
   const { id } = program;
   if (id !== undefined && open !== undefined && open.linked.task !== null && isWorkOn(open.address, id))
     showWork({ program: { ...program, id } }, open.linked);
-  else restore(program, began);
+  else restore(program, startExample);
 }
 
 /**
@@ -300,9 +307,9 @@ async function bringBack(program: OwnProgram): Promise<void> {
  */
 function offerLater(work: FoundWork): void {
   if (work.kind !== 'late') return;
-  const own = asked;
-  void work.coming.then((found) => {
-    if (found !== undefined && own === asked) above.offer(found.program);
+  const request = requestCount;
+  void work.pending.then((found) => {
+    if (found !== undefined && request === requestCount) intro.offer(found.program);
   });
 }
 
@@ -316,12 +323,12 @@ function showAsLinked(linked: LinkedProgram): void {
 }
 
 function showFault(fault: Fault): void {
-  keepNow();
+  saveNow();
   link.showFault(fault);
 }
 
 /** Puts a program with its context into the element; by default the switches follow the setup. */
-function put(
+function setProgram(
   {
     control,
     setup,
@@ -337,57 +344,57 @@ function put(
   playground.program = program;
   playground.control = control;
   playground.opened = opened;
-  known = playground.value;
+  savedText = playground.value;
   showControl();
 }
 
-function endComparisonUnlessOf(chosen: Example | undefined): void {
+function endComparisonUnlessFor(chosen: Example | undefined): void {
   if (!isComparing || chosen?.compareWith !== undefined) return;
   isComparing = false;
   playground.endComparison();
 }
 
 function load(chosen: Example | undefined): void {
-  waitNoLonger();
-  endComparisonUnlessOf(chosen);
+  cancelSave();
+  endComparisonUnlessFor(chosen);
   link.end();
-  ownPrograms.takes(undefined);
+  saver.setId(undefined);
   example = chosen;
   if (chosen !== undefined) {
     const { id, setup, program: text } = chosen;
-    shown.set(id, chosen);
-    put({ control: controlOf(setup), setup, origin: id }, { text, file: undefined });
+    shownExamples.set(id, chosen);
+    setProgram({ control: controlOf(setup), setup, origin: id }, { text, file: undefined });
     examples.show();
   }
-  above.show({ kind: 'example' });
+  intro.show({ kind: 'example' });
 }
 
 /** The address has changed: shows its program; the current one is saved and offered for restoring. */
-async function followAddress(): Promise<void> {
-  // `begin` reads the initial address.
-  if (!begun) return;
-  const own = ++asked;
-  keepNow('address-stays');
-  const { found, work } = await lookUp('as-listed');
-  if (own !== asked) return;
+async function onAddressChanged(): Promise<void> {
+  // `showInitialProgram` reads the initial address.
+  if (!isStarted) return;
+  const request = ++requestCount;
+  saveNow('keep-address');
+  const { found, work } = await readAddress('from-list');
+  if (request !== requestCount) return;
   const from = link.last;
   if (found.kind === 'fault') return showFault(found.fault);
   if (found.kind === 'linked') {
     const { linked } = found;
-    keepNow('address-stays');
-    const { id } = ownPrograms;
-    const before: OwnProgram = { ...programNow(), ...(id === undefined ? {} : { id }) };
-    const untouched = [linked.text, from?.linked.text, shown.get(before.example)?.program];
-    const offered = untouched.includes(before.text) ? undefined : before;
+    saveNow('keep-address');
+    const { id } = saver;
+    const before: OwnProgram = { ...currentProgram(), ...(id === undefined ? {} : { id }) };
+    const originals = [linked.text, from?.linked.text, shownExamples.get(before.example)?.program];
+    const offered = originals.includes(before.text) ? undefined : before;
     if (work.kind === 'work') {
       // The text in the editor is newer.
-      const isHere = work.work.program.id === id;
-      showWork(isHere ? { program: { ...before, id } } : work.work, linked);
-      if (!isHere && offered !== undefined) above.offer(offered);
+      const isCurrent = work.work.program.id === id;
+      showWork(isCurrent ? { program: { ...before, id } } : work.work, linked);
+      if (!isCurrent && offered !== undefined) intro.offer(offered);
       return;
     }
     loadLinked(linked);
-    if (offered !== undefined) above.show({ kind: 'kept', program: offered });
+    if (offered !== undefined) intro.show({ kind: 'previous', program: offered });
     offerLater(work);
     return;
   }
@@ -396,35 +403,39 @@ async function followAddress(): Promise<void> {
 }
 
 /** Another program has replaced the current one, or undo has restored it. */
-function followOrigin(): void {
+function onOriginChanged(): void {
   showControl();
-  const now = shown.get(playground.origin ?? '');
+  const now = shownExamples.get(playground.origin ?? '');
   if (now === example) return;
-  ownPrograms.replaced(playground.length > LONGEST_KEPT ? undefined : playground.opened.text);
+  saver.onTextReplaced(playground.length > MAX_SAVED_LENGTH ? undefined : playground.opened.text);
   example = now;
-  endComparisonUnlessOf(now);
+  endComparisonUnlessFor(now);
   // The address names the example while one is shown.
   history.replaceState(null, '', now === undefined ? location.pathname + location.search : `#${now.id}`);
   examples.show();
-  above.show({ kind: 'example' });
+  intro.show({ kind: 'example' });
 }
 
-function restore(kept: OwnProgram, began: Example | undefined, origin: string | null = began?.id ?? null): void {
-  asked++;
-  waitNoLonger();
-  endComparisonUnlessOf(began);
+function restore(
+  saved: OwnProgram,
+  startExample: Example | undefined,
+  origin: string | null = startExample?.id ?? null,
+): void {
+  requestCount++;
+  cancelSave();
+  endComparisonUnlessFor(startExample);
   link.end();
-  ownPrograms.takes(kept.id);
-  if (kept.id !== undefined) ownPrograms.remember(kept.id, kept.text);
-  example = began;
-  if (began !== undefined) shown.set(began.id, began);
-  const { text, file, setup, blockSkip = null, program = null } = kept;
+  saver.setId(saved.id);
+  if (saved.id !== undefined) saver.remember(saved.id, saved.text);
+  example = startExample;
+  if (startExample !== undefined) shownExamples.set(startExample.id, startExample);
+  const { text, file, setup, blockSkip = null, program = null } = saved;
   // A file that was saved before setups were saved is not an example.
-  const unsaid = file === undefined ? (example?.setup ?? null) : null;
-  put(
+  const defaultSetup = file === undefined ? (example?.setup ?? null) : null;
+  setProgram(
     {
-      control: kept.control === '' ? null : kept.control,
-      setup: setup === undefined ? unsaid : setup === '' ? null : setup,
+      control: saved.control === '' ? null : saved.control,
+      setup: setup === undefined ? defaultSetup : setup === '' ? null : setup,
       origin,
       blockSkip,
       program,
@@ -432,31 +443,31 @@ function restore(kept: OwnProgram, began: Example | undefined, origin: string | 
     { text, file: file as ProgramFile | undefined },
   );
   examples.show();
-  above.show({ kind: 'restored' });
+  intro.show({ kind: 'restored' });
 }
 
-function listen(): void {
-  window.addEventListener('hashchange', () => void followAddress());
+function addListeners(): void {
+  window.addEventListener('hashchange', () => void onAddressChanged());
   controlSelect.addEventListener('change', () => {
     playground.control = controlSelect.value;
-    keepSoon();
+    scheduleSave();
   });
   languageSelect.addEventListener('change', () => {
     language = languageOf(languageSelect.value);
-    keepChoices({ language });
+    saveChoices({ language });
     showLanguage();
   });
   playground.addEventListener('gcode-split', (event) =>
-    keepChoices({ split: (event as CustomEvent<{ readonly split: string }>).detail.split }),
+    saveChoices({ split: (event as CustomEvent<{ readonly split: string }>).detail.split }),
   );
   // The element handles what is dropped on it; elsewhere the browser would leave the page.
   acceptFiles(
     document.documentElement,
     {
       hint: () => COMMON[language].dropHere,
-      dropped: (file) => void playground.openFile(file),
+      onDrop: (file) => void playground.openFile(file),
     },
-    'left-over',
+    'unhandled',
   );
   openButton.addEventListener('click', () => fileInput.click());
   saveButton.addEventListener('click', () => playground.saveFile());
@@ -471,28 +482,28 @@ function listen(): void {
   });
   playground.addEventListener('gcode-change', () => {
     // The description of the example is removed when a file is opened.
-    above.showAgain();
-    keepSoon();
+    intro.refresh();
+    scheduleSave();
   });
   playground.addEventListener('gcode-hint', (event) => {
-    keepChoices({ hints: (event as CustomEvent<{ readonly left: string }>).detail.left });
+    saveChoices({ hints: (event as CustomEvent<{ readonly left: string }>).detail.left });
   });
   playground.addEventListener('gcode-context', () => {
-    ownPrograms.replaced(playground.length > LONGEST_KEPT ? undefined : playground.opened.text);
-    followOrigin();
+    saver.onTextReplaced(playground.length > MAX_SAVED_LENGTH ? undefined : playground.opened.text);
+    onOriginChanged();
   });
   // A program put in by a script has its own context, too.
-  playground.addEventListener('gcode-report', followOrigin);
-  playground.addEventListener('gcode-switch', keepSoon);
+  playground.addEventListener('gcode-report', onOriginChanged);
+  playground.addEventListener('gcode-switch', scheduleSave);
   playground.addEventListener('gcode-setup', () => {
     showControl();
-    keepSoon();
+    scheduleSave();
   });
-  window.addEventListener('pagehide', () => keepNow());
+  window.addEventListener('pagehide', () => saveNow());
   document.addEventListener('visibilitychange', () => {
-    if (document.visibilityState === 'hidden') keepNow();
+    if (document.visibilityState === 'hidden') saveNow();
   });
-  playground.addEventListener('gcode-settled', () => void ownPrograms.session().catch(() => undefined), { once: true });
+  playground.addEventListener('gcode-settled', () => void saver.session().catch(() => undefined), { once: true });
   // After the first picture, so as not to delay it.
   playground.addEventListener('gcode-settled', () => void storePage(), { once: true });
 }
@@ -509,59 +520,61 @@ async function storePage(): Promise<void> {
       get language() {
         return language;
       },
-      keep() {
-        keepNow();
-        return isKept() ? 'kept' : 'not-kept';
+      save() {
+        saveNow();
+        return isSaved() ? 'saved' : 'not-saved';
       },
     });
 }
 
-// ---- keeping --------------------------------------------------------------------------------------
+// ---- saving ---------------------------------------------------------------------------------------
 
 /** Cancels a pending save. */
-function waitNoLonger(): void {
-  clearTimeout(keepingSoon);
-  keepingSoon = undefined;
-  ownPrograms.longComes = false;
+function cancelSave(): void {
+  clearTimeout(saveTimer);
+  saveTimer = undefined;
+  saver.isLongPending = false;
 }
 
-function keepSoon(): void {
-  const isLong = playground.length > LONGEST_IN_JOURNAL;
-  ownPrograms.longComes = isLong;
-  if (isLong) clearTimeout(keepingSoon);
-  else if (keepingSoon !== undefined) return;
-  keepingSoon = setTimeout(() => keepNow(), isLong ? KEEP_LONG_AFTER_MS : KEEP_AFTER_MS);
+function scheduleSave(): void {
+  const isLong = playground.length > MAX_JOURNAL_LENGTH;
+  saver.isLongPending = isLong;
+  if (isLong) clearTimeout(saveTimer);
+  else if (saveTimer !== undefined) return;
+  saveTimer = setTimeout(() => saveNow(), isLong ? SAVE_LONG_AFTER_MS : SAVE_AFTER_MS);
 }
 
 /** Saves pending changes; an unchanged example is not saved. */
-function keepNow(address: 'follows' | 'address-stays' = 'follows'): void {
-  if (playground.length > LONGEST_KEPT) return waitNoLonger();
+function saveNow(address: 'update-address' | 'keep-address' = 'update-address'): void {
+  if (playground.length > MAX_SAVED_LENGTH) return cancelSave();
   const text = playground.value;
-  if (keepingSoon === undefined && text === known) return;
-  waitNoLonger();
-  known = text;
+  if (saveTimer === undefined && text === savedText) return;
+  cancelSave();
+  savedText = text;
   const { file, setup, blockSkip, program } = playground;
-  const asItCame = file === undefined && setup === example?.setup && blockSkip === null && program === null;
-  if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) {
+  const isUnchanged = file === undefined && setup === example?.setup && blockSkip === null && program === null;
+  if (isUnchanged && text === example?.program && controlSelect.value === controlOf(example.setup)) {
     // Update the saved program in the list, if the user has returned to the unchanged example.
-    if (ownPrograms.id !== undefined) ownPrograms.keep(programNow());
-    forgetLast();
+    if (saver.id !== undefined) saver.save(currentProgram());
+    clearLastEntry();
   } else {
-    if (address === 'follows') leaveLink(text);
-    ownPrograms.keep(programNow());
-    keepAsWork();
+    if (address === 'update-address') removeLinkFromAddress(text);
+    saver.save(currentProgram());
+    saveAsWork();
   }
 }
 
 /** Whether the current program is found again when the page is reopened. */
-function isKept(): boolean {
+function isSaved(): boolean {
   const { text } = playground.opened;
-  const came = example?.program ?? link.inAddress?.linked.text;
-  return lastEntry()?.program.text === text || (came !== undefined && folded(came) === playground.value);
+  const original = example?.program ?? link.current?.linked.text;
+  return (
+    readLastEntry()?.program.text === text || (original !== undefined && foldLineEnds(original) === playground.value)
+  );
 }
 
 /** The current program with its context, to be saved. */
-function programNow(): KeptProgram {
+function currentProgram(): SavedProgram {
   const { file, setup, blockSkip, program } = playground;
   return {
     text: playground.opened.text,
@@ -575,31 +588,31 @@ function programNow(): KeptProgram {
 }
 
 /** Removes the link from the address once the text differs from it, so that a later visit shows the saved program. */
-function leaveLink(text: string): void {
-  const before = above.now;
-  if (before.kind === 'linked' && folded(before.linked.text) === text) {
+function removeLinkFromAddress(text: string): void {
+  const before = intro.current;
+  if (before.kind === 'linked' && foldLineEnds(before.linked.text) === text) {
     // The address may already have changed to another one that is about to be shown.
     if (location.hash === '') history.replaceState(null, '', before.address);
-    above.show({ kind: 'example' });
+    intro.show({ kind: 'example' });
   }
-  const open = link.inAddress;
-  if (open === undefined || folded(open.linked.text) === text) return;
-  const isOfLink = playground.origin === OF_A_LINK;
+  const open = link.current;
+  if (open === undefined || foldLineEnds(open.linked.text) === text) return;
+  const isOfLink = playground.origin === LINK_ORIGIN;
   // The link of a task stays in the address: a later visit finds the task and the work on it.
   if (!isOfLink || open.linked.task === null) history.replaceState(null, '', location.pathname + location.search);
-  const { now } = above;
-  if (isOfLink && now.kind !== 'linked')
-    above.show({ kind: 'linked', ...open, ...(now.kind === 'kept' ? { kept: now.program } : {}) });
+  const { current } = intro;
+  if (isOfLink && current.kind !== 'linked')
+    intro.show({ kind: 'linked', ...open, ...(current.kind === 'previous' ? { previous: current.program } : {}) });
 }
 
 /** Records the program as the work on the task it started from. */
-function keepAsWork(): void {
-  const { id } = ownPrograms;
+function saveAsWork(): void {
+  const { id } = saver;
   const { last } = link;
-  if (id === undefined || last === undefined || playground.origin !== OF_A_LINK) return;
-  const began = beganAs.get(id) ?? last.address;
-  beganAs.set(id, began);
-  if (last.linked.task !== null && began === last.address) keepWorkOn(began, id);
+  if (id === undefined || last === undefined || playground.origin !== LINK_ORIGIN) return;
+  const originLink = originLinks.get(id) ?? last.address;
+  originLinks.set(id, originLink);
+  if (last.linked.task !== null && originLink === last.address) saveWorkOn(originLink, id);
 }
 
 // ---- showing --------------------------------------------------------------------------------------
@@ -619,9 +632,9 @@ function showLanguage(): void {
   actions.showLanguage();
   offline?.showLanguage();
   link.showLanguage();
-  ownPrograms.showLanguage();
+  saver.showLanguage();
   examples.showLanguage();
-  above.showAgain();
+  intro.refresh();
 }
 
 /** Selects the control that runs the program: the user's choice, or that of the setup. */

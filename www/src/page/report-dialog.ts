@@ -5,26 +5,26 @@
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
-import { inTime } from '../dom/in-time';
+import { withTimeout } from '../dom/timeout';
 import type { Language } from '../dom/language';
-import { loaded } from '../dom/network';
+import { importWithRetry } from '../dom/network';
 import { COMMON } from '../dom/words';
 import { download } from '../editor/program-files';
-import { linkOf } from '../files/shared-link';
-import { copied, field } from './fields';
+import { makeLink } from '../files/shared-link';
+import { copyField, field } from './fields';
 import { pageAddress } from './linked';
-import { LONGEST_FOR_TABLE, motionRows, type MotionRow } from './motion-table';
+import { MAX_LENGTH_FOR_TABLE, motionRows, type MotionRow } from './motion-table';
 import type { PageHost } from './page-host';
-import { blockAt, fixture, reportText, type Reported } from './report';
+import { blockAt, makeFixture, reportText, type ReportData } from './report';
 import { REPORT_WORDS } from './report-words';
-import { sharedProgram } from './shared-program';
+import { toShared } from './shared-program';
 import './share.css';
 
 /** Defined by the build. */
 declare const PLAYGROUND_VERSION: string;
 
 /** Timeout for the motions; they never arrive if the interpreter has failed. */
-const LATEST_MS = 8000;
+const MOTIONS_TIMEOUT_MS = 8000;
 
 let dialog: ReportDialog | undefined;
 
@@ -40,7 +40,7 @@ class ReportDialog {
   readonly #block = make('code', { className: 'block', lang: 'en' });
   readonly #did = make('textarea', { id: 'report-did', rows: 3, maxLength: 5000 });
   readonly #output = make('textarea', { id: 'report-output', readOnly: true, rows: 7, spellcheck: false });
-  readonly #said = make('p', { className: 'said', role: 'status' });
+  readonly #status = make('p', { className: 'said', role: 'status' });
   readonly #copy = make('button', { type: 'button', className: 'framed' });
   readonly #save = make('button', { type: 'button', className: 'framed' });
   readonly #fields = {
@@ -61,7 +61,7 @@ class ReportDialog {
         this.#fields.did.label,
       ),
       this.#fields.output.label,
-      this.#said,
+      this.#status,
     ],
     [this.#copy, this.#save],
   );
@@ -69,17 +69,17 @@ class ReportDialog {
   #motions: readonly MotionRow[] | undefined;
   #link: string | undefined;
   /** Motions and link are still being computed: the report is incomplete. */
-  #waits = false;
+  #isPending = false;
   /** Number of times it was opened: late answers for an earlier one are dropped. */
-  #opened = 0;
+  #openCount = 0;
 
   constructor() {
     // Uses the styles of the dialog "Share".
     this.#dialog.element.classList.add('share');
     document.body.append(this.#dialog.element);
     for (const input of [this.#machine, this.#line, this.#did]) input.addEventListener('input', () => this.#show());
-    this.#copy.addEventListener('click', () => void this.#copied());
-    this.#save.addEventListener('click', () => void this.#saved());
+    this.#copy.addEventListener('click', () => void this.#copyReport());
+    this.#save.addEventListener('click', () => void this.#saveFolder());
   }
 
   get #language(): Language {
@@ -87,10 +87,10 @@ class ReportDialog {
   }
 
   open(host: PageHost): void {
-    const own = ++this.#opened;
+    const opening = ++this.#openCount;
     this.#host = host;
     const texts = REPORT_WORDS[host.language];
-    this.#dialog.name(texts.title, COMMON[host.language].close);
+    this.#dialog.setTexts(texts.title, COMMON[host.language].close);
     this.#dialog.about = texts.about;
     const { machine, line, did, output } = this.#fields;
     for (const [{ caption }, text] of [
@@ -105,34 +105,34 @@ class ReportDialog {
     this.#copy.textContent = texts.copy;
     this.#save.textContent = texts.saveFolder;
     this.#line.value = String(host.playground.cursorLine);
-    [this.#motions, this.#link, this.#waits] = [undefined, undefined, true];
+    [this.#motions, this.#link, this.#isPending] = [undefined, undefined, true];
     this.#show();
     this.#dialog.show();
     this.#machine.focus();
-    void this.#ask(host).then(() => {
-      if (own !== this.#opened) return;
-      this.#waits = false;
+    void this.#collect(host).then(() => {
+      if (opening !== this.#openCount) return;
+      this.#isPending = false;
       this.#show();
     });
   }
 
   /** Requests the drawn motions and the link to the program. */
-  async #ask(host: PageHost): Promise<void> {
+  async #collect(host: PageHost): Promise<void> {
     const { playground } = host;
     const [table, made] = await Promise.all([
-      playground.length > LONGEST_FOR_TABLE
+      playground.length > MAX_LENGTH_FOR_TABLE
         ? undefined
-        : inTime(
+        : withTimeout(
             playground.exported('csv').catch(() => undefined),
-            LATEST_MS,
+            MOTIONS_TIMEOUT_MS,
           ),
-      linkOf(sharedProgram(host.program)).catch(() => undefined),
+      makeLink(toShared(host.program)).catch(() => undefined),
     ]);
-    this.#motions = table === 'late' ? undefined : table && motionRows(table);
+    this.#motions = table === 'timeout' ? undefined : table && motionRows(table);
     this.#link = made?.kind === 'link' ? `${pageAddress()}${made.link}` : undefined;
   }
 
-  #reported(host: PageHost, setup: string): Reported {
+  #reportData(host: PageHost, setup: string): ReportData {
     return {
       text: host.program.text,
       setup,
@@ -151,31 +151,31 @@ class ReportDialog {
     const texts = REPORT_WORDS[host.language];
     const setup = host.playground.wholeSetup;
     this.#block.textContent = blockAt(host.program.text, Number(this.#line.value));
-    const isThere = setup !== undefined && !this.#waits;
-    this.#said.textContent = setup === undefined ? texts.unreadableSetup : this.#waits ? texts.comes : '';
-    this.#output.value = isThere ? reportText(this.#reported(host, setup), texts) : '';
-    this.#copy.disabled = !isThere;
-    this.#save.disabled = !isThere || this.#motions === undefined;
+    const isReady = setup !== undefined && !this.#isPending;
+    this.#status.textContent = setup === undefined ? texts.unreadableSetup : this.#isPending ? texts.inProgress : '';
+    this.#output.value = isReady ? reportText(this.#reportData(host, setup), texts) : '';
+    this.#copy.disabled = !isReady;
+    this.#save.disabled = !isReady || this.#motions === undefined;
   }
 
-  async #copied(): Promise<void> {
+  async #copyReport(): Promise<void> {
     const texts = REPORT_WORDS[this.#language];
-    this.#said.textContent = (await copied(this.#output)) === 'copied' ? texts.copied : texts.notCopied;
+    this.#status.textContent = (await copyField(this.#output)) === 'copied' ? texts.copied : texts.notCopied;
   }
 
-  async #saved(): Promise<void> {
+  async #saveFolder(): Promise<void> {
     const host = this.#host;
     const setup = host?.playground.wholeSetup;
     if (host === undefined || setup === undefined) return;
     const texts = REPORT_WORDS[host.language];
-    const zip = await loaded(() => import('fflate')).catch(() => undefined);
-    if (zip === undefined) {
-      this.#said.textContent = texts.notLoaded;
+    const fflate = await importWithRetry(() => import('fflate')).catch(() => undefined);
+    if (fflate === undefined) {
+      this.#status.textContent = texts.notLoaded;
       return;
     }
-    const { name, files } = fixture(this.#reported(host, setup));
-    const packed = Object.fromEntries(Object.entries(files).map(([file, text]) => [file, zip.strToU8(text)]));
-    download(`${name}.zip`, new Uint8Array(zip.zipSync({ [name]: packed })));
-    this.#said.textContent = texts.saved(`${name}.zip`);
+    const { name, files } = makeFixture(this.#reportData(host, setup));
+    const packed = Object.fromEntries(Object.entries(files).map(([file, text]) => [file, fflate.strToU8(text)]));
+    download(`${name}.zip`, new Uint8Array(fflate.zipSync({ [name]: packed })));
+    this.#status.textContent = texts.saved(`${name}.zip`);
   }
 }

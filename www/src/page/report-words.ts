@@ -22,7 +22,7 @@ export interface ReportWords {
   readonly nothingDrawn: string;
   readonly notListed: string;
   readonly more: (n: number) => string;
-  readonly notSaid: string;
+  readonly unspecified: string;
   readonly versions: string;
   readonly open: string;
   readonly setup: string;
@@ -34,7 +34,7 @@ export interface ReportWords {
   readonly saveFolder: string;
   readonly saved: (name: string) => string;
   readonly unreadableSetup: string;
-  readonly comes: string;
+  readonly inProgress: string;
   readonly notLoaded: string;
 }
 
@@ -53,7 +53,7 @@ export const REPORT_WORDS = words<ReportWords>({
     nothingDrawn: 'No motion.',
     notListed: 'The motions are not listed: the program is too long, or it could not be run.',
     more: (n) => `… and ${MORE.en(n)} more`,
-    notSaid: '(not said)',
+    unspecified: '(not said)',
     versions: 'Versions',
     open: 'Open it',
     setup: 'Setup',
@@ -64,7 +64,7 @@ export const REPORT_WORDS = words<ReportWords>({
     notCopied: 'The browser does not allow copying: the text is selected, press Ctrl C.',
     saveFolder: 'Save as a folder for tests',
     saved: (name) => `${name}: unpack it in tests/programs, and put what the machine did into motions.jsonl.`,
-    comes: 'The report is being put together…',
+    inProgress: 'The report is being put together…',
     unreadableSetup: 'The setup cannot be read: fix it first.',
     notLoaded: 'This could not be loaded. Try again when the network is there.',
   },
@@ -81,7 +81,7 @@ export const REPORT_WORDS = words<ReportWords>({
     nothingDrawn: '没有运动。',
     notListed: '没有列出运动：程序太长，或者无法运行。',
     more: (n) => `……另有 ${MORE.zh(n)}`,
-    notSaid: '（未填写）',
+    unspecified: '（未填写）',
     versions: '版本',
     open: '打开',
     setup: '设置',
@@ -92,7 +92,7 @@ export const REPORT_WORDS = words<ReportWords>({
     notCopied: '浏览器不允许复制：文本已选中，请按 Ctrl C。',
     saveFolder: '保存为测试文件夹',
     saved: (name) => `${name}：解压到 tests/programs，并在 motions.jsonl 中写入机床的实际动作。`,
-    comes: '正在生成报告…',
+    inProgress: '正在生成报告…',
     unreadableSetup: '无法读取设置：请先修正。',
     notLoaded: '加载失败。请在网络恢复后重试。',
   },
@@ -110,7 +110,7 @@ export const REPORT_WORDS = words<ReportWords>({
     nothingDrawn: 'Нет перемещений.',
     notListed: 'Перемещения не перечислены: программа слишком длинная или её не удалось выполнить.',
     more: (n) => `… и ещё ${MORE.ru(n)}`,
-    notSaid: '(не указано)',
+    unspecified: '(не указано)',
     versions: 'Версии',
     open: 'Открыть',
     setup: 'Наладка',
@@ -121,7 +121,7 @@ export const REPORT_WORDS = words<ReportWords>({
     notCopied: 'Браузер не разрешает копирование: текст выделен, нажмите Ctrl C.',
     saveFolder: 'Сохранить папку для тестов',
     saved: (name) => `${name}: распакуйте в tests/programs и запишите в motions.jsonl то, что сделал станок.`,
-    comes: 'Отчёт составляется…',
+    inProgress: 'Отчёт составляется…',
     unreadableSetup: 'Наладка не читается: сначала исправьте её.',
     notLoaded: 'Не удалось загрузить. Повторите, когда появится сеть.',
   },

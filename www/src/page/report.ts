@@ -3,11 +3,11 @@
 // In: the program with its setup, the block, the drawn motions, and the user's description. Out: Markdown, and the
 // files of the folder by name. Must not know: where they are sent.
 
-import { folded } from '../files/line-ends';
+import { foldLineEnds } from '../files/line-ends';
 import type { MotionRow } from './motion-table';
 import type { ReportWords } from './report-words';
 
-export interface Reported {
+export interface ReportData {
   /** With the original line ends. */
   readonly text: string;
   /** The complete setup, JSON. */
@@ -26,40 +26,40 @@ export interface Reported {
 }
 
 /** Maximum number of motions of one block in the text; a cycle can have thousands. */
-const MOST_SHOWN = 40;
-const SHOWN = ['kind', 'x', 'z', 'c', 'r', 'dir', 'lead', 'feed', 'rpm'] as const;
+const MAX_MOTIONS = 40;
+const COLUMNS = ['kind', 'x', 'z', 'c', 'r', 'dir', 'lead', 'feed', 'rpm'] as const;
 
 export function blockAt(text: string, line: number): string {
   return text.split(/\r\n|\r|\n/)[line - 1] ?? '';
 }
 
-export function reportText(reported: Reported, words: ReportWords): string {
-  const { text, setup, line, motions, machine, did, versions, link } = reported;
+export function reportText(data: ReportData, words: ReportWords): string {
+  const { text, setup, line, motions, machine, did, versions, link } = data;
   const drawn = motions?.filter((row) => row['line'] === String(line));
   const parts = [
     `# ${words.title}`,
-    `**${words.machine}**: ${machine.trim() === '' ? words.notSaid : machine.trim()}`,
-    `**${words.block(line)}**: ${inCode(blockAt(text, line).trim())}`,
+    `**${words.machine}**: ${machine.trim() === '' ? words.unspecified : machine.trim()}`,
+    `**${words.block(line)}**: ${inlineCode(blockAt(text, line).trim())}`,
     `**${words.did}**`,
-    did.trim() === '' ? words.notSaid : did.trim(),
+    did.trim() === '' ? words.unspecified : did.trim(),
     `**${words.drawn}**`,
     drawn === undefined ? words.notListed : drawn.length === 0 ? words.nothingDrawn : table(drawn, words),
     `**${words.versions}**: ${versions}`,
     ...(link === undefined ? [] : [`**${words.open}**: ${link}`]),
     `## ${words.setup}`,
-    fenced('json', setup),
+    codeBlock('json', setup),
     `## ${words.program}`,
-    fenced('gcode', folded(text)),
+    codeBlock('gcode', foldLineEnds(text)),
   ];
   return `${parts.join('\n\n')}\n`;
 }
 
 /** The name of the folder, and its files. */
-export function fixture(reported: Reported): {
+export function makeFixture(data: ReportData): {
   readonly name: string;
   readonly files: Readonly<Record<string, string>>;
 } {
-  const { text, setup, line, motions = [], machine, did, versions } = reported;
+  const { text, setup, line, motions = [], machine, did, versions } = data;
   const number = /^\s*[O:](\d{1,8})/im.exec(text)?.[1];
   const source = `${machine.trim()}, block ${line}: ${did.trim()} (${versions})`;
   const json = (value: unknown): string => `${JSON.stringify(value, undefined, 2)}\n`;
@@ -71,13 +71,13 @@ export function fixture(reported: Reported): {
       'about.json': json({ seed: 'machine', source }),
       'expect.json': json({}),
       // The motions as drawn; the maintainer who adds the folder replaces them by the motions of the machine.
-      'motions.jsonl': motions.map((row) => `${JSON.stringify(expected(row))}\n`).join(''),
+      'motions.jsonl': motions.map((row) => `${JSON.stringify(toMotion(row))}\n`).join(''),
     },
   };
 }
 
 /** A motion in the format of `tests/programs`. */
-function expected(row: MotionRow): object {
+function toMotion(row: MotionRow): object {
   const number = (name: string): number | undefined =>
     row[name] === undefined || row[name] === '' ? undefined : Number(row[name]);
   const place = (before: string): object | undefined =>
@@ -97,24 +97,24 @@ function expected(row: MotionRow): object {
 }
 
 function table(rows: readonly MotionRow[], words: ReportWords): string {
-  const shown = rows.slice(0, MOST_SHOWN);
-  const used = SHOWN.filter((name) => shown.some((row) => (row[name] ?? '') !== ''));
+  const shown = rows.slice(0, MAX_MOTIONS);
+  const used = COLUMNS.filter((name) => shown.some((row) => (row[name] ?? '') !== ''));
   const line = (cells: readonly string[]): string => `| ${cells.join(' | ')} |`;
   const lines = [
     line(used),
     line(used.map(() => '---')),
     ...shown.map((row) => line(used.map((name) => row[name] ?? ''))),
   ];
-  return `${lines.join('\n')}${rows.length > MOST_SHOWN ? `\n\n${words.more(rows.length - MOST_SHOWN)}` : ''}`;
+  return `${lines.join('\n')}${rows.length > MAX_MOTIONS ? `\n\n${words.more(rows.length - MAX_MOTIONS)}` : ''}`;
 }
 
 /** A Markdown code block. The fence has more backticks than any sequence in the text. */
-function fenced(kind: string, text: string): string {
+function codeBlock(kind: string, text: string): string {
   const fence = '`'.repeat(Math.max(3, longestTicks(text) + 1));
   return `${fence}${kind}\n${text.replace(/\n$/, '')}\n${fence}`;
 }
 
-function inCode(text: string): string {
+function inlineCode(text: string): string {
   if (text === '') return '–';
   const ticks = '`'.repeat(longestTicks(text) + 1);
   return ticks.length === 1 ? `\`${text}\`` : `${ticks} ${text} ${ticks}`;

@@ -4,25 +4,25 @@
 // know: the format of a link.
 
 import { Dialog } from '../dom/dialog';
-import { make, showText } from '../dom/dom';
-import { loaded } from '../dom/network';
+import { make, setText } from '../dom/dom';
+import { importWithRetry } from '../dom/network';
 import { COMMON } from '../dom/words';
 import { download } from '../editor/program-files';
-import { folded } from '../files/line-ends';
-import { linkOf, type Shared } from '../files/shared-link';
+import { foldLineEnds } from '../files/line-ends';
+import { makeLink, type Shared } from '../files/shared-link';
 import { elementText, frameText, markdownText } from './embed-text';
-import { check, copied, field } from './fields';
+import { checkbox, copyField, field } from './fields';
 import { pageAddress } from './linked';
 import type { PageHost } from './page-host';
 import { FORMS, SHARE_WORDS, VIEWS, type Form, type SharedView, type ShareWords } from './share-words';
-import { sharedProgram } from './shared-program';
+import { toShared } from './shared-program';
 import { PAGE_WORDS } from './words';
 import './share.css';
 
 /** Some messaging programs are known to truncate links longer than this. */
-const LONG = 2000;
+const LONG_LINK = 2000;
 /** The forms that contain a full link to the page, and so can contain a task. */
-const WITH_TASK: readonly Form[] = ['link', 'markdown', 'qr'];
+const TASK_FORMS: readonly Form[] = ['link', 'markdown', 'qr'];
 
 /** Defined by the build. */
 declare const PLAYGROUND_VERSION: string;
@@ -56,9 +56,9 @@ class ShareDialog {
   readonly #startNews = make('p', { id: 'share-start-news', className: 'start-news', role: 'status' });
   readonly #taskAbout = make('p', { className: 'about' });
   readonly #output = make('textarea', { id: 'share-output', readOnly: true, rows: 5, spellcheck: false, dir: 'ltr' });
-  readonly #drawn = make('div', { className: 'drawn' });
+  readonly #drawing = make('div', { className: 'drawn' });
   readonly #length = make('p', { className: 'length' });
-  readonly #said = make('p', { className: 'said', role: 'status' });
+  readonly #status = make('p', { className: 'said', role: 'status' });
   readonly #copy = make('button', { type: 'button', className: 'framed' });
   readonly #send = make('button', { type: 'button', className: 'framed' });
   readonly #saveSvg = make('button', { type: 'button', className: 'framed' });
@@ -66,10 +66,10 @@ class ShareDialog {
   readonly #fields = {
     form: field(this.#form),
     view: field(this.#view),
-    language: check(this.#language),
-    step: check(this.#step),
-    readonly: check(this.#readonly),
-    task: check(this.#task),
+    language: checkbox(this.#language),
+    step: checkbox(this.#step),
+    readonly: checkbox(this.#readonly),
+    task: checkbox(this.#task),
     sentence: field(this.#sentence),
     start: field(this.#start),
     output: field(this.#output),
@@ -97,18 +97,18 @@ class ShareDialog {
         this.#taskFields,
       ),
       this.#fields.output.label,
-      this.#drawn,
+      this.#drawing,
       this.#length,
     ],
-    [this.#said, this.#copy, this.#send, this.#saveSvg, this.#savePng],
+    [this.#status, this.#copy, this.#send, this.#saveSvg, this.#savePng],
   );
   #host: PageHost | undefined;
-  #toolAt: string | null = null;
+  #toolStep: string | null = null;
   /** The solution that the task was written for. */
-  #taskOf: string | undefined;
+  #taskSolution: string | undefined;
   #wasTask = false;
   /** Number of requests; a late result of an earlier one is dropped. */
-  #asked = 0;
+  #requestCount = 0;
 
   constructor() {
     this.#form.append(...FORMS.map((value) => make('option', { value })));
@@ -116,10 +116,10 @@ class ShareDialog {
     this.#dialog.element.addEventListener('input', ({ target }) => {
       this.#followTask();
       void this.#show().then(() => {
-        if (target === this.#form) this.#showDrawn();
+        if (target === this.#form) this.#scrollToDrawing();
       });
     });
-    this.#copy.addEventListener('click', () => void this.#copied());
+    this.#copy.addEventListener('click', () => void this.#copyOutput());
     this.#send.addEventListener(
       'click',
       () => void navigator.share({ url: this.#output.value }).catch(() => undefined),
@@ -135,7 +135,7 @@ class ShareDialog {
   open(host: PageHost): void {
     this.#host = host;
     const texts = SHARE_WORDS[host.language];
-    this.#dialog.name(texts.title, COMMON[host.language].close);
+    this.#dialog.setTexts(texts.title, COMMON[host.language].close);
     this.#dialog.about = texts.about;
     for (const option of this.#form.options) option.textContent = texts.forms[option.value as Form];
     for (const option of this.#view.options) option.textContent = texts.views[option.value as SharedView];
@@ -164,15 +164,15 @@ class ShareDialog {
     this.#step.checked = this.#readonly.checked = false;
     const { text } = host.program;
     // Keep the entered task, unless the program has changed.
-    if (this.#taskOf !== text) {
-      this.#taskOf = text;
+    if (this.#taskSolution !== text) {
+      this.#taskSolution = text;
       this.#task.checked = false;
       this.#sentence.value = '';
       this.#start.value = host.example?.program ?? text;
     }
     if (!this.#task.checked) this.#language.checked = true;
     this.#followTask();
-    this.#toolAt = null;
+    this.#toolStep = null;
     this.#fields.step.label.hidden = true;
     void this.#show();
     this.#dialog.show();
@@ -180,7 +180,7 @@ class ShareDialog {
     void host.playground.currentStep().then(
       (step) => {
         if (step === null) return;
-        this.#toolAt = step;
+        this.#toolStep = step;
         this.#fields.step.caption.textContent = texts.step(step);
         this.#fields.step.label.hidden = false;
       },
@@ -189,7 +189,7 @@ class ShareDialog {
   }
 
   get #isTask(): boolean {
-    return this.#task.checked && WITH_TASK.includes(this.#form.value as Form);
+    return this.#task.checked && TASK_FORMS.includes(this.#form.value as Form);
   }
 
   /** By default a task has no language, so that each pupil reads it in their own. */
@@ -200,14 +200,14 @@ class ShareDialog {
   }
 
   /** Scrolls to the drawing, which on a phone is below a screen of options. */
-  #showDrawn(): void {
+  #scrollToDrawing(): void {
     const { element } = this.#dialog;
-    if (this.#drawn.childElementCount > 0) element.scrollTop = element.scrollHeight;
+    if (this.#drawing.childElementCount > 0) element.scrollTop = element.scrollHeight;
   }
 
   /** What to share, according to the options. */
-  #shared(host: PageHost): Shared {
-    const program = sharedProgram(host.program);
+  #sharedContent(host: PageHost): Shared {
+    const program = toShared(host.program);
     const view = this.#view.value === 'all' ? null : this.#view.value;
     const isTask = this.#isTask;
     return {
@@ -215,7 +215,7 @@ class ShareDialog {
       text: isTask ? this.#start.value : program.text,
       language: this.#language.checked ? host.language : null,
       view,
-      step: this.#step.checked ? this.#toolAt : null,
+      step: this.#step.checked ? this.#toolStep : null,
       readonly: this.#readonly.checked && !isTask,
       task: isTask ? { sentence: this.#sentence.value.trim(), solution: program.text } : null,
     };
@@ -224,38 +224,41 @@ class ShareDialog {
   async #show(): Promise<void> {
     const host = this.#host;
     if (host === undefined) return;
-    const own = ++this.#asked;
+    const request = ++this.#requestCount;
     const texts = SHARE_WORDS[host.language];
     const form = this.#form.value as Form;
     const isPicture = form === 'picture';
     const { view, language, readonly, task, output } = this.#fields;
     for (const { label } of [view, language]) label.hidden = isPicture;
-    task.label.hidden = !WITH_TASK.includes(form);
+    task.label.hidden = !TASK_FORMS.includes(form);
     readonly.label.hidden = isPicture || (this.#task.checked && !task.label.hidden);
-    this.#fields.step.label.hidden = isPicture || this.#toolAt === null;
+    this.#fields.step.label.hidden = isPicture || this.#toolStep === null;
     this.#taskFields.hidden = task.label.hidden || !this.#task.checked;
-    const isSolution = asField(this.#start.value) === asField(host.program.text);
-    showText(this.#startNews, isSolution && !this.#taskFields.hidden ? texts.startIsSolution : '');
+    const isSolution = asFieldText(this.#start.value) === asFieldText(host.program.text);
+    setText(this.#startNews, isSolution && !this.#taskFields.hidden ? texts.startIsSolution : '');
     output.label.hidden = form === 'qr' || isPicture;
     this.#copy.hidden = output.label.hidden;
     this.#send.hidden = form !== 'link' || !('share' in navigator);
     this.#saveSvg.hidden = this.#savePng.hidden = !isPicture;
-    this.#said.textContent = '';
+    this.#status.textContent = '';
     this.#dialog.element.dataset['form'] = form;
     // Clear the output, so that a result of earlier options cannot be copied.
     this.#output.value = '';
     this.#copy.disabled = this.#send.disabled = true;
-    const made: Made = isPicture
+    const made: ShareOutput = isPicture
       ? { text: '', length: '', drawn: await this.#picture(host) }
-      : await this.#made(form, this.#shared(host), host, texts).catch(() => ({ text: '', length: texts.notMade }));
-    if (own !== this.#asked) return;
+      : await this.#makeOutput(form, this.#sharedContent(host), host, texts).catch(() => ({
+          text: '',
+          length: texts.notMade,
+        }));
+    if (request !== this.#requestCount) return;
     this.#output.value = made.text;
     this.#copy.disabled = this.#send.disabled = made.text === '';
     this.#length.textContent = made.length;
-    this.#drawn.replaceChildren(...(made.drawn === undefined ? [] : [made.drawn]));
+    this.#drawing.replaceChildren(...(made.drawn === undefined ? [] : [made.drawn]));
   }
 
-  async #made(form: Form, shared: Shared, host: PageHost, texts: ShareWords): Promise<Made> {
+  async #makeOutput(form: Form, shared: Shared, host: PageHost, texts: ShareWords): Promise<ShareOutput> {
     const page = pageAddress();
     const title = host.example?.title[host.language] ?? host.program.file?.name ?? PAGE_WORDS[host.language].title;
     // Use the folder named after the version, whose files never change.
@@ -267,11 +270,11 @@ class ShareDialog {
           : frameText(shared, embedded('index.html'), title);
       return { text, length: texts.length(text.length) };
     }
-    const made = await linkOf(shared);
+    const made = await makeLink(shared);
     if (made.kind === 'too-long') return { text: '', length: texts.tooLong(made.length, made.limit) };
     const link = `${page}${made.link}`;
     if (form === 'qr') {
-      const { qrCode, QR_LIMIT } = await loaded(() => import('./qr'));
+      const { qrCode, QR_LIMIT } = await importWithRetry(() => import('./qr'));
       const drawn = qrCode(link);
       if (drawn === undefined) return { text: '', length: texts.qrTooLong(link.length, QR_LIMIT) };
       drawn.setAttribute('role', 'img');
@@ -279,7 +282,7 @@ class ShareDialog {
       return { text: '', length: texts.length(link.length), drawn };
     }
     const text = form === 'markdown' ? markdownText(title, link) : link;
-    return { text, length: `${texts.length(text.length)}${text.length > LONG ? ` · ${texts.longer}` : ''}` };
+    return { text, length: `${texts.length(text.length)}${text.length > LONG_LINK ? ` · ${texts.longer}` : ''}` };
   }
 
   async #picture(host: PageHost): Promise<Element> {
@@ -296,7 +299,7 @@ class ShareDialog {
     const host = this.#host;
     const file = await host?.playground.pictureFile(format).catch(() => undefined);
     if (host === undefined) return;
-    if (file === undefined) this.#said.textContent = SHARE_WORDS[host.language].noPicture;
+    if (file === undefined) this.#status.textContent = SHARE_WORDS[host.language].noPicture;
     else
       download(
         `${(host.program.file?.name ?? '').replace(/\.[^.]*$/, '') || 'program'}.${format}`,
@@ -304,20 +307,20 @@ class ShareDialog {
       );
   }
 
-  async #copied(): Promise<void> {
+  async #copyOutput(): Promise<void> {
     const texts = SHARE_WORDS[this.#host?.language ?? 'en'];
-    this.#said.textContent = (await copied(this.#output)) === 'copied' ? texts.copied : texts.notCopied;
+    this.#status.textContent = (await copyField(this.#output)) === 'copied' ? texts.copied : texts.notCopied;
   }
 }
 
 /** The result: a text to copy, the line under it, and a drawing that is shown instead of the text. */
-interface Made {
+interface ShareOutput {
   readonly text: string;
   readonly length: string;
   readonly drawn?: Element;
 }
 
 /** Normalises the text as a text field does: each line end is one character; trailing blank lines are removed. */
-function asField(text: string): string {
-  return folded(text).trimEnd();
+function asFieldText(text: string): string {
+  return foldLineEnds(text).trimEnd();
 }

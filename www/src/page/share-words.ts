@@ -3,9 +3,9 @@
 import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
 import { words, type Words } from '../dom/words';
-import type { InAddress } from './linked';
+import type { AddressContent } from './linked';
 
-type Fault = Extract<InAddress, { readonly kind: 'fault' }>['fault'];
+type Fault = Extract<AddressContent, { readonly kind: 'fault' }>['fault'];
 
 const FORMS = ['link', 'markdown', 'element', 'frame', 'qr', 'picture'] as const;
 export type Form = (typeof FORMS)[number];

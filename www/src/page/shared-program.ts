@@ -2,15 +2,15 @@
 //
 // In: the program with its context. Out: a `Shared` without display options. Must not know: the format of a link.
 
-import { NOTHING_SAID, type Shared } from '../files/shared-link';
-import type { KeptProgram } from './storage';
+import { EMPTY_SHARED, type Shared } from '../files/shared-link';
+import type { SavedProgram } from './storage';
 
-export function sharedProgram({ text, setup, control, blockSkip, program, file }: KeptProgram): Shared {
+export function toShared({ text, setup, control, blockSkip, program, file }: SavedProgram): Shared {
   return {
-    ...NOTHING_SAID,
+    ...EMPTY_SHARED,
     text,
-    setup: said(setup),
-    control: said(control),
+    setup: valueOrNull(setup),
+    control: valueOrNull(control),
     blockSkip: blockSkip ?? null,
     program: program ?? null,
     file: file ?? null,
@@ -18,6 +18,6 @@ export function sharedProgram({ text, setup, control, blockSkip, program, file }
 }
 
 /** A saved program has an empty text for a missing value. */
-function said(text: string | undefined): string | null {
+function valueOrNull(text: string | undefined): string | null {
   return text === undefined || text === '' ? null : text;
 }

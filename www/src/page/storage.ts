@@ -7,7 +7,7 @@
 // A browser that refuses to store (private mode, quota exceeded) is not an error: the caller gets `refused`. Must not
 // know: the meaning of a program.
 
-export interface KeptProgram {
+export interface SavedProgram {
   /** With the line ends of its file, if it was opened from one. */
   readonly text: string;
   /** The id of the example that it started from; empty if none. */
@@ -22,7 +22,7 @@ export interface KeptProgram {
 }
 
 /** A saved program, with its id in the list. */
-export interface OwnProgram extends KeptProgram {
+export interface OwnProgram extends SavedProgram {
   readonly id?: string;
 }
 
@@ -35,10 +35,10 @@ export interface Entry {
   readonly time: number;
   /** The revision in the list that it was made from; 0 if it was never in the list. */
   readonly base: number;
-  readonly program: KeptProgram;
+  readonly program: SavedProgram;
 }
 
-export interface Choices {
+interface Choices {
   readonly language?: string;
   readonly theme?: string;
   /** The hints that are still to be shown. */
@@ -50,14 +50,14 @@ export interface Choices {
 }
 
 /** The only saved program, in versions of the page without a list. */
-const OF_BEFORE = `gcode-playground:program:${location.pathname}`;
-const JOURNAL = `gcode-playground:journal:${location.pathname}:`;
+const LEGACY_KEY = `gcode-playground:program:${location.pathname}`;
+const JOURNAL_PREFIX = `gcode-playground:journal:${location.pathname}:`;
 /** The key of the entry that the page starts with. */
-const LAST = `gcode-playground:last:${location.pathname}`;
+const LAST_KEY = `gcode-playground:last:${location.pathname}`;
 /** The programs that are the work on a task. */
-const WORKS = `gcode-playground:task:${location.pathname}`;
-const CHOICES = 'gcode-playground:choices';
-const CHOSEN = ['language', 'theme', 'hints', 'split', 'textSize'] as const;
+const WORKS_KEY = `gcode-playground:task:${location.pathname}`;
+const CHOICES_KEY = 'gcode-playground:choices';
+const CHOICE_NAMES = ['language', 'theme', 'hints', 'split', 'textSize'] as const;
 /** The format of `newId`. */
 const ID = /^[\da-f]{16,32}$/;
 
@@ -65,14 +65,14 @@ const ID = /^[\da-f]{16,32}$/;
  * Maximum lengths of a program that is saved, and of one in the journal, in UTF-16 units: browsers store about five
  * million there.
  */
-export const LONGEST_KEPT = 10_000_000;
-export const LONGEST_IN_JOURNAL = 2_000_000;
+export const MAX_SAVED_LENGTH = 10_000_000;
+export const MAX_JOURNAL_LENGTH = 2_000_000;
 
 /** Maximum number of tasks with remembered work. */
-const MOST_WORKS = 100;
+const MAX_WORKS = 100;
 
 /** The id of this tab, until it is reloaded. */
-export const TAB = newId();
+export const TAB_ID = newId();
 
 /** A random id. Not `randomUUID`, which is missing on pages that are not served over HTTPS. */
 export function newId(): string {
@@ -80,17 +80,17 @@ export function newId(): string {
 }
 
 /** The entry that the page starts with. */
-export function lastEntry(): Entry | undefined {
-  takeOver();
-  return entry(unquoted(stored(LAST)));
+export function readLastEntry(): Entry | undefined {
+  migrateLegacy();
+  return readEntry(parseString(readItem(LAST_KEY)));
 }
 
 /** All entries of the journal, of this tab and of others, which may be closed. */
-export function journal(): readonly Entry[] {
+export function readJournal(): readonly Entry[] {
   try {
     return Object.keys(localStorage)
-      .filter((key) => key.startsWith(JOURNAL))
-      .flatMap((key) => entry(key) ?? []);
+      .filter((key) => key.startsWith(JOURNAL_PREFIX))
+      .flatMap((key) => readEntry(key) ?? []);
   } catch {
     return [];
   }
@@ -100,70 +100,70 @@ export function journal(): readonly Entry[] {
  * Writes a program of this tab into the journal, as the last entry. Removes `before`, the entry of another tab that it
  * replaces.
  */
-export function keepInJournal({ id, time, base, program }: Omit<Entry, 'tab'>, before?: Entry): 'kept' | 'refused' {
-  const key = keyOf({ id, tab: TAB });
-  const outcome = write(key, { time, base, ...program }) === 'kept' ? write(LAST, key) : 'refused';
-  if (outcome === 'kept' && before !== undefined && before.id === id) forgetEntry(before);
+export function saveInJournal({ id, time, base, program }: Omit<Entry, 'tab'>, before?: Entry): 'saved' | 'refused' {
+  const key = keyOf({ id, tab: TAB_ID });
+  const outcome = write(key, { time, base, ...program }) === 'saved' ? write(LAST_KEY, key) : 'refused';
+  if (outcome === 'saved' && before !== undefined && before.id === id) removeEntry(before);
   return outcome;
 }
 
 /** The list contains this entry: removes it from the journal, unless it is the last one or was overwritten since. */
-export function forgetWritten(written: Pick<Entry, 'id' | 'tab' | 'time'>): 'gone' | 'stays' {
-  if (isLast(written)) return 'stays';
-  forgetEntry(written);
-  return 'gone';
+export function removeWritten(written: Pick<Entry, 'id' | 'tab' | 'time'>): 'removed' | 'kept' {
+  if (isLast(written)) return 'kept';
+  removeEntry(written);
+  return 'removed';
 }
 
 /** The next visit starts without a program; the entry stays until the list contains it. */
-export function forgetLast(): void {
-  if (stored(LAST) !== null) write(LAST, '');
+export function clearLastEntry(): void {
+  if (readItem(LAST_KEY) !== null) write(LAST_KEY, '');
 }
 
 /** Whether the last entry was never set: a first visit, or the browser has lost its data. */
-export function knowsNoLast(): boolean {
-  return stored(LAST) === null;
+export function hasNoLastEntry(): boolean {
+  return readItem(LAST_KEY) === null;
 }
 
 /** Removes all entries of a deleted program. */
-export function forgetAllOf(id: string): void {
-  for (const each of journal()) {
-    if (each.id !== id) continue;
-    if (isLast(each)) forgetLast();
-    remove(keyOf(each));
+export function removeFromJournal(id: string): void {
+  for (const entry of readJournal()) {
+    if (entry.id !== id) continue;
+    if (isLast(entry)) clearLastEntry();
+    remove(keyOf(entry));
   }
 }
 
 /** The id of the user's work on a task; the list knows whether the program still exists. */
-export function workOf(task: string): string | undefined {
-  return works().get(task);
+export function readWorkId(task: string): string | undefined {
+  return readWorks().get(task);
 }
 
 /** `task`: a unique name of the task. */
-export function keepWorkOf(task: string, id: string): void {
-  const all = works();
+export function saveWorkId(task: string, id: string): void {
+  const all = readWorks();
   if (all.get(task) === id) return;
   // The newest one is last.
   all.delete(task);
-  write(WORKS, Object.fromEntries([...all, [task, id]].slice(-MOST_WORKS)));
+  write(WORKS_KEY, Object.fromEntries([...all, [task, id]].slice(-MAX_WORKS)));
 }
 
-function works(): Map<string, string> {
-  return new Map(Object.entries(read(WORKS)).filter((one): one is [string, string] => isId(one[1])));
+function readWorks(): Map<string, string> {
+  return new Map(Object.entries(read(WORKS_KEY)).filter((one): one is [string, string] => isId(one[1])));
 }
 
-export function choices(): Choices {
-  const all = read(CHOICES);
-  return Object.fromEntries(CHOSEN.flatMap((name) => (typeof all[name] === 'string' ? [[name, all[name]]] : [])));
+export function readChoices(): Choices {
+  const all = read(CHOICES_KEY);
+  return Object.fromEntries(CHOICE_NAMES.flatMap((name) => (typeof all[name] === 'string' ? [[name, all[name]]] : [])));
 }
 
-export function keepChoices(change: Choices): void {
-  write(CHOICES, { ...choices(), ...change });
+export function saveChoices(change: Choices): void {
+  write(CHOICES_KEY, { ...readChoices(), ...change });
 }
 
 /** Validates a program from a store or a file; undefined if it is not one. */
-export function programIn(value: unknown): KeptProgram | undefined {
+export function parseProgram(value: unknown): SavedProgram | undefined {
   const { text, example, control, file, setup, blockSkip, program } = Object(value) as Partial<
-    Record<keyof KeptProgram, unknown>
+    Record<keyof SavedProgram, unknown>
   >;
   if (typeof text !== 'string' || typeof example !== 'string' || typeof control !== 'string') return undefined;
   const { name, encoding } = Object(file) as Partial<Record<'name' | 'encoding', unknown>>;
@@ -179,29 +179,29 @@ export function programIn(value: unknown): KeptProgram | undefined {
 }
 
 /** Migrates the program that was saved before the list existed to an entry, once. */
-function takeOver(): void {
-  const program = programIn(read(OF_BEFORE));
-  if (program !== undefined && keepInJournal({ id: newId(), time: Date.now(), base: 0, program }) === 'kept')
-    remove(OF_BEFORE);
+function migrateLegacy(): void {
+  const program = parseProgram(read(LEGACY_KEY));
+  if (program !== undefined && saveInJournal({ id: newId(), time: Date.now(), base: 0, program }) === 'saved')
+    remove(LEGACY_KEY);
 }
 
 function keyOf({ id, tab }: Pick<Entry, 'id' | 'tab'>): string {
-  return `${JOURNAL}${id}:${tab}`;
+  return `${JOURNAL_PREFIX}${id}:${tab}`;
 }
 
 /** Validates the entry of a key, which may be from any source. */
-function entry(key: string): Entry | undefined {
-  if (!key.startsWith(JOURNAL)) return undefined;
-  const [id = '', tab = ''] = key.slice(JOURNAL.length).split(':');
-  const kept = read(key);
-  const program = programIn(kept);
-  const { time, base } = kept;
+function readEntry(key: string): Entry | undefined {
+  if (!key.startsWith(JOURNAL_PREFIX)) return undefined;
+  const [id = '', tab = ''] = key.slice(JOURNAL_PREFIX.length).split(':');
+  const stored = read(key);
+  const program = parseProgram(stored);
+  const { time, base } = stored;
   if (program === undefined || !ID.test(id) || !ID.test(tab)) return undefined;
   return { id, tab, time: isCount(time) ? time : 0, base: isCount(base) ? base : 0, program };
 }
 
-function forgetEntry(which: Pick<Entry, 'id' | 'tab' | 'time'>): void {
-  if (entry(keyOf(which))?.time === which.time) remove(keyOf(which));
+function removeEntry(entry: Pick<Entry, 'id' | 'tab' | 'time'>): void {
+  if (readEntry(keyOf(entry))?.time === entry.time) remove(keyOf(entry));
 }
 
 export function isId(value: unknown): value is string {
@@ -212,11 +212,11 @@ export function isCount(value: unknown): value is number {
   return typeof value === 'number' && Number.isSafeInteger(value) && value >= 0;
 }
 
-function isLast(which: Pick<Entry, 'id' | 'tab'>): boolean {
-  return unquoted(stored(LAST)) === keyOf(which);
+function isLast(entry: Pick<Entry, 'id' | 'tab'>): boolean {
+  return parseString(readItem(LAST_KEY)) === keyOf(entry);
 }
 
-function unquoted(text: string | null): string {
+function parseString(text: string | null): string {
   try {
     return String(JSON.parse(text ?? '""'));
   } catch {
@@ -224,7 +224,7 @@ function unquoted(text: string | null): string {
   }
 }
 
-function stored(key: string): string | null {
+function readItem(key: string): string | null {
   try {
     return localStorage.getItem(key);
   } catch {
@@ -241,10 +241,10 @@ function read(key: string): Record<string, unknown> {
   }
 }
 
-function write(key: string, value: unknown): 'kept' | 'refused' {
+function write(key: string, value: unknown): 'saved' | 'refused' {
   try {
     localStorage.setItem(key, JSON.stringify(value));
-    return 'kept';
+    return 'saved';
   } catch {
     return 'refused';
   }

@@ -4,9 +4,9 @@
 // journal immediately or from the list, with a short timeout. The list (`own-programs-store.ts`) is loaded only for
 // such an address. Must not know: how a program is shown.
 
-import { inTime } from '../dom/in-time';
-import { loaded } from '../dom/network';
-import { journal, keepWorkOf, lastEntry, workOf, type Entry, type OwnProgram } from './storage';
+import { withTimeout } from '../dom/timeout';
+import { importWithRetry } from '../dom/network';
+import { readJournal, saveWorkId, readLastEntry, readWorkId, type Entry, type OwnProgram } from './storage';
 
 export interface Work {
   readonly program: OwnProgram & { readonly id: string };
@@ -21,17 +21,17 @@ export type FoundWork =
   /** There is no work, or it was deleted. */
   | { readonly kind: 'none' }
   /** The list has not answered yet. */
-  | { readonly kind: 'late'; readonly coming: Promise<Work | undefined> };
+  | { readonly kind: 'late'; readonly pending: Promise<Work | undefined> };
 
 /** How long the first picture may wait for the list; a browser may never answer. */
-const LATEST_MS = 1500;
+const LIST_TIMEOUT_MS = 1500;
 
-export function keepWorkOn(address: string, id: string): void {
-  keepWorkOf(nameOf(address), id);
+export function saveWorkOn(address: string, id: string): void {
+  saveWorkId(taskKey(address), id);
 }
 
 export function isWorkOn(address: string, id: string | undefined): boolean {
-  return id !== undefined && workOf(nameOf(address)) === id;
+  return id !== undefined && readWorkId(taskKey(address)) === id;
 }
 
 /**
@@ -39,32 +39,32 @@ export function isWorkOn(address: string, id: string | undefined): boolean {
  * out later.
  */
 export function lastWorkOn(address: string): Work | undefined {
-  const entry = lastEntry();
-  return entry !== undefined && isWorkOn(address, entry.id) ? workIn(entry) : undefined;
+  const entry = readLastEntry();
+  return entry !== undefined && isWorkOn(address, entry.id) ? toWork(entry) : undefined;
 }
 
-export async function workOn(address: string): Promise<FoundWork> {
-  const id = workOf(nameOf(address));
+export async function findWorkOn(address: string): Promise<FoundWork> {
+  const id = readWorkId(taskKey(address));
   if (id === undefined) return { kind: 'none' };
-  const [newest] = journal()
+  const [newest] = readJournal()
     .filter((entry) => entry.id === id)
     .sort((a, b) => b.time - a.time);
-  const coming = inList(id, newest).catch(() => newest && workIn(newest));
-  const found = await inTime(coming, LATEST_MS);
-  if (found !== 'late') return found === undefined ? { kind: 'none' } : { kind: 'work', work: found };
-  return newest === undefined ? { kind: 'late', coming } : { kind: 'work', work: workIn(newest) };
+  const pending = readFromList(id, newest).catch(() => newest && toWork(newest));
+  const found = await withTimeout(pending, LIST_TIMEOUT_MS);
+  if (found !== 'timeout') return found === undefined ? { kind: 'none' } : { kind: 'work', work: found };
+  return newest === undefined ? { kind: 'late', pending } : { kind: 'work', work: toWork(newest) };
 }
 
 /** The program of the list, or the journal entry if the list does not contain it yet. */
-async function inList(id: string, newest: Entry | undefined): Promise<Work | undefined> {
-  const store = await loaded(() => import('./own-programs-store'));
-  const [row, program] = await Promise.all([store.listed(id), store.programOf(id)]);
-  const isThere = row !== undefined && program !== undefined;
-  if (newest !== undefined && (!isThere || (row.seen[newest.tab] ?? 0) < newest.time)) return workIn(newest);
-  return isThere ? { program: { ...program, id }, revision: row.revision } : undefined;
+async function readFromList(id: string, newest: Entry | undefined): Promise<Work | undefined> {
+  const store = await importWithRetry(() => import('./own-programs-store'));
+  const [row, program] = await Promise.all([store.readRow(id), store.readProgram(id)]);
+  const isInList = row !== undefined && program !== undefined;
+  if (newest !== undefined && (!isInList || (row.seen[newest.tab] ?? 0) < newest.time)) return toWork(newest);
+  return isInList ? { program: { ...program, id }, revision: row.revision } : undefined;
 }
 
-function workIn(entry: Entry): Work {
+function toWork(entry: Entry): Work {
   return { program: { ...entry.program, id: entry.id }, entry };
 }
 
@@ -72,8 +72,8 @@ function workIn(entry: Entry): Work {
  * A unique key of the task: the checksum of the link and the characters before it. Spaces that mail programs insert and
  * text that they append are ignored.
  */
-function nameOf(address: string): string {
-  const said = address.replace(/\s|%20|%0[AD]/gi, '');
-  const head = /^#share=\d+\.(\d+)\./.exec(said);
-  return (head === null ? said : said.slice(0, head[0].length + Number(head[1]))).slice(-40);
+function taskKey(address: string): string {
+  const compact = address.replace(/\s|%20|%0[AD]/gi, '');
+  const head = /^#share=\d+\.(\d+)\./.exec(compact);
+  return (head === null ? compact : compact.slice(0, head[0].length + Number(head[1]))).slice(-40);
 }

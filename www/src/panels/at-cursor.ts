@@ -3,18 +3,18 @@
 // In: answers of the interpreter about the block at the cursor, once the user has focused the text. Out: the block that
 // the user selects. Must not know: the meaning of a word or a row.
 
-import { arrange, icon, make, name, showText } from '../dom/dom';
+import { setChildren, icon, make, setAccessibleName, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import { completes, setCompletes } from '../editor/completes';
+import { isCompletionEnabled, setCompletionEnabled } from '../editor/completion-setting';
 import { factList, wordLine } from '../editor/word-help';
 import type { FormHelp, FormLine, FormWord, Help, HelpLine, StateHelp, StateRow } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import { isInProgram, type Key, type NewestQuestion, type Panel, type PanelKind, type Shell } from './panel';
 import atCursorStyles from './at-cursor.css?inline';
 
 /** Delay until the panel shows that an answer is pending, ms: an answer may need another pass over the program. */
-const SOON_MS = 250;
+const PENDING_AFTER_MS = 250;
 
 export const atCursor: PanelKind = { control: 'help', styles: atCursorStyles, make: (shell) => new AtCursor(shell) };
 
@@ -34,25 +34,36 @@ class AtCursor implements Panel {
   readonly #form = make('div', { className: 'at-cursor-form' });
   readonly #previous = make('button', { type: 'button', className: 'small' }, icon('previous'));
   readonly #next = make('button', { type: 'button', className: 'small' }, icon('next'));
-  readonly #time = make('span');
-  readonly #times = make('div', { className: 'at-cursor-times', hidden: true }, this.#previous, this.#time, this.#next);
+  readonly #executionText = make('span');
+  readonly #executions = make(
+    'div',
+    { className: 'at-cursor-times', hidden: true },
+    this.#previous,
+    this.#executionText,
+    this.#next,
+  );
   readonly #state = make('div', { className: 'at-cursor-state' });
-  readonly #completes = make('input', { type: 'checkbox' });
-  readonly #completesName = make('span');
-  readonly #switch = make('label', { className: 'at-cursor-switch' }, this.#completes, this.#completesName);
+  readonly #completionToggle = make('input', { type: 'checkbox' });
+  readonly #completionLabel = make('span');
+  readonly #completionSwitch = make(
+    'label',
+    { className: 'at-cursor-switch' },
+    this.#completionToggle,
+    this.#completionLabel,
+  );
   readonly #playBlock = make('button', { type: 'button', className: 'framed' });
   readonly #toCursor = make('button', { type: 'button', className: 'framed' });
   readonly #breakpoint = make('button', { type: 'button', className: 'framed' });
-  readonly #acts = make('div', { className: 'at-cursor-acts' }, this.#playBlock, this.#toCursor, this.#breakpoint);
+  readonly #actions = make('div', { className: 'at-cursor-acts' }, this.#playBlock, this.#toCursor, this.#breakpoint);
   readonly #body = make(
     'div',
     { className: 'at-cursor-body', id: 'at-cursor-body', hidden: true },
-    this.#acts,
+    this.#actions,
     this.#facts,
     this.#form,
-    this.#times,
+    this.#executions,
     this.#state,
-    this.#switch,
+    this.#completionSwitch,
   );
   readonly #element = make(
     'section',
@@ -61,34 +72,34 @@ class AtCursor implements Panel {
     this.#body,
   );
   /** Whether the user has focused the text. Until then the panel asks no question and loads nothing. */
-  #wanted = false;
+  #hasFocusedText = false;
   /** Whether to announce the next answer to screen readers. */
-  #speaks = false;
+  #announceNext = false;
   /** Just opened, and not yet at its full height: the cursor may have to be scrolled into view. */
-  #opened = false;
+  #justOpened = false;
   /** Which execution of the block is shown; undefined: the default one. */
-  #chosen: number | undefined;
+  #chosenExecution: number | undefined;
   #shown: Help | undefined;
   /** The content of each part with its language, as text, to compare; no entry if the part shows something else. */
-  readonly #shownAs = new Map<HTMLElement, string>();
+  readonly #renderedKeys = new Map<HTMLElement, string>();
   /** Timer that shows that an answer is pending. */
-  #waiting: ReturnType<typeof setTimeout> | undefined;
+  #pendingTimer: ReturnType<typeof setTimeout> | undefined;
   /** The worker cannot answer questions now. */
-  #isIdle = false;
+  #cannotAnswer = false;
   #hasNavigation = false;
-  #marks = false;
-  readonly places = { problems: [this.#element] };
+  #hasMark = false;
+  readonly elements = { problems: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#question = shell.newest('help', (help) => this.#answered(help));
+    this.#question = shell.newest('help', (help) => this.#onAnswer(help));
     this.#toggle.append(icon('chevron'), this.#title, this.#line);
     this.#toggle.addEventListener('click', () => this.#setOpen(this.#body.hidden === true));
-    this.#previous.addEventListener('click', () => this.#choose(-1));
-    this.#next.addEventListener('click', () => this.#choose(1));
-    this.#completes.checked = completes();
-    this.#completes.addEventListener('change', () => setCompletes(this.#completes.checked));
-    this.#switch.hidden = shell.readonly;
+    this.#previous.addEventListener('click', () => this.#chooseExecution(-1));
+    this.#next.addEventListener('click', () => this.#chooseExecution(1));
+    this.#completionToggle.checked = isCompletionEnabled();
+    this.#completionToggle.addEventListener('change', () => setCompletionEnabled(this.#completionToggle.checked));
+    this.#completionSwitch.hidden = shell.readonly;
     this.#playBlock.addEventListener('click', () => shell.service('playBlock')());
     this.#toCursor.addEventListener('click', () => shell.service('playToCursor')());
     this.#breakpoint.addEventListener('click', () => shell.service('toggleBreakpoint')());
@@ -96,17 +107,17 @@ class AtCursor implements Panel {
 
   set language(language: Language) {
     const texts = WORDS[language];
-    showText(this.#title, texts.atCursor);
-    showText(this.#completesName, texts.completes);
-    name(this.#previous, texts.previousTime);
-    name(this.#next, texts.nextTime);
+    setText(this.#title, texts.atCursor);
+    setText(this.#completionLabel, texts.completion);
+    setAccessibleName(this.#previous, texts.previousExecution);
+    setAccessibleName(this.#next, texts.nextExecution);
     this.#toggle.title = texts.hint;
     for (const [button, text, key] of [
       [this.#playBlock, texts.playBlock, 'F10'],
       [this.#toCursor, texts.toCursor, 'Ctrl F10'],
       [this.#breakpoint, texts.breakpoint, 'Ctrl F8'],
     ] as const) {
-      showText(button, text);
+      setText(button, text);
       button.title = `${text} (${key})`;
     }
     // The language is first set after all panels are made, so the services of other panels exist.
@@ -119,151 +130,155 @@ class AtCursor implements Panel {
     this.#ask();
   }
 
-  cursorMoved(): void {
-    this.#wanted = true;
-    this.#chosen = undefined;
+  onCursorMoved(): void {
+    this.#hasFocusedText = true;
+    this.#chosenExecution = undefined;
     this.#ask();
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind === 'report' || event.kind === 'parts-loaded') {
-      this.#isIdle = false;
+      this.#cannotAnswer = false;
       this.#ask();
-    } else if (event.kind === 'part-failed') this.unreported();
+    } else if (event.kind === 'part-failed') this.onRunFailed();
   }
 
-  begun(): void {
-    this.#isIdle = false;
+  onRunStarted(): void {
+    this.#cannotAnswer = false;
   }
 
-  unreported(): void {
-    this.#isIdle = true;
-    if (this.#waiting === undefined) return;
-    this.#waitNoLonger();
+  onRunFailed(): void {
+    this.#cannotAnswer = true;
+    if (this.#pendingTimer === undefined) return;
+    this.#cancelPending();
     this.#shown = undefined;
     this.#clear();
   }
 
-  outdated(): void {
-    this.#question.forget();
-    this.#waitNoLonger();
-    this.#mark(undefined);
+  onInputChanged(): void {
+    this.#question.cancel();
+    this.#cancelPending();
+    this.#setMark(undefined);
   }
 
-  lost(): void {
-    this.#isIdle = true;
-    this.#question.forget();
-    this.#waitNoLonger();
+  onWorkerLost(): void {
+    this.#cannotAnswer = true;
+    this.#question.cancel();
+    this.#cancelPending();
     this.#shown = undefined;
     this.#clear();
   }
 
-  pressed(key: Key): 'own' | 'not-own' {
+  onKey(key: Key): 'handled' | 'ignored' {
     const { event } = key;
     if (event.key !== 'F1' || event.ctrlKey || event.altKey || event.metaKey || !isInProgram(key, this.#shell))
-      return 'not-own';
-    this.#wanted = true;
-    this.#speaks = true;
+      return 'ignored';
+    this.#hasFocusedText = true;
+    this.#announceNext = true;
     this.#setOpen(true);
-    return 'own';
+    return 'handled';
   }
 
   #setOpen(open: boolean): void {
     this.#body.hidden = !open;
     this.#toggle.setAttribute('aria-expanded', String(open));
-    this.#opened = open;
+    this.#justOpened = open;
     this.#ask();
   }
 
   #ask(): void {
-    if (!this.#wanted) return;
-    const [offset, time] = [this.#place, this.#chosen];
-    if (!this.#isIdle) this.#waiting ??= setTimeout(() => this.#showThatItComes(), SOON_MS);
+    if (!this.#hasFocusedText) return;
+    const [offset, time] = [this.#offset, this.#chosenExecution];
+    if (!this.#cannotAnswer) this.#pendingTimer ??= setTimeout(() => this.#showPending(), PENDING_AFTER_MS);
     this.#question.ask(
       this.#body.hidden ? { by: 'cursor', about: 'word', offset } : { by: 'cursor', about: 'block', offset, time },
     );
   }
 
   /** The offset of the cursor, or of the start of the selection. */
-  get #place(): number {
+  get #offset(): number {
     const { editor } = this.#shell;
     const { from, to } = editor.selection;
     return from === to ? editor.cursor : from;
   }
 
   /** Shows the previous or next execution of the block. */
-  #choose(step: -1 | 1): void {
+  #chooseExecution(step: -1 | 1): void {
     const state = this.#shown?.state;
     if (state === undefined) return;
-    this.#chosen = Math.min(Math.max(state.number + step, 1), state.times);
+    this.#chosenExecution = Math.min(Math.max(state.number + step, 1), state.times);
     this.#ask();
   }
 
   /** Shows that the content is for another place or another execution, and that the answer is pending. */
-  #showThatItComes(): void {
+  #showPending(): void {
     this.#element.setAttribute('aria-busy', 'true');
-    showText(this.#line, WORDS[this.#shell.language].onItsWay);
-    this.#shownAs.delete(this.#line);
+    setText(this.#line, WORDS[this.#shell.language].pending);
+    this.#renderedKeys.delete(this.#line);
   }
 
-  #waitNoLonger(): void {
-    clearTimeout(this.#waiting);
-    this.#waiting = undefined;
+  #cancelPending(): void {
+    clearTimeout(this.#pendingTimer);
+    this.#pendingTimer = undefined;
     this.#element.removeAttribute('aria-busy');
   }
 
-  #answered(help: Help | undefined): void {
+  #onAnswer(help: Help | undefined): void {
     if (help === undefined) return;
-    this.#waitNoLonger();
+    this.#cancelPending();
     this.#shown = help;
     const texts = WORDS[this.#shell.language];
     const { word, form, state } = help;
     // Re-render only changed sections, so that focus and hover survive a re-run.
-    const isOther = (what: HTMLElement, of: unknown): boolean => {
-      const as = JSON.stringify([this.#shell.language, of]);
-      const before = this.#shownAs.get(what);
-      this.#shownAs.set(what, as);
-      return as !== before;
+    const hasChanged = (part: HTMLElement, content: unknown): boolean => {
+      const key = JSON.stringify([this.#shell.language, content]);
+      const before = this.#renderedKeys.get(part);
+      this.#renderedKeys.set(part, key);
+      return key !== before;
     };
-    if (isOther(this.#line, word)) this.#line.replaceChildren(word === undefined ? texts.nothing : wordLine(word));
-    if (isOther(this.#facts, word))
-      this.#facts.replaceChildren(...(word === undefined ? [] : [factList(word.facts, (offset) => this.#go(offset))]));
-    if (isOther(this.#form, form)) this.#form.replaceChildren(...(form === undefined ? [] : this.#forms(form)));
-    if (state !== undefined && isOther(this.#state, state)) this.#showState(state);
-    this.#mark(word?.marks[0]);
-    if (this.#opened) {
-      this.#opened = false;
-      this.#shell.editor.keepCursorInSight();
+    if (hasChanged(this.#line, word)) this.#line.replaceChildren(word === undefined ? texts.nothing : wordLine(word));
+    if (hasChanged(this.#facts, word))
+      this.#facts.replaceChildren(
+        ...(word === undefined ? [] : [factList(word.facts, (offset) => this.#goTo(offset))]),
+      );
+    if (hasChanged(this.#form, form)) this.#form.replaceChildren(...(form === undefined ? [] : this.#renderForm(form)));
+    if (state !== undefined && hasChanged(this.#state, state)) this.#showState(state);
+    this.#setMark(word?.marks[0]);
+    if (this.#justOpened) {
+      this.#justOpened = false;
+      this.#shell.editor.scrollToCursor();
     }
     // An answer to an earlier question is shown, but not announced.
-    if (!this.#speaks || help.asked.about === 'motion' || help.asked.offset !== this.#place) return;
-    this.#speaks = false;
-    const said =
+    if (!this.#announceNext || help.request.about === 'motion' || help.request.offset !== this.#offset) return;
+    this.#announceNext = false;
+    const announcement =
       word === undefined
         ? [texts.nothing]
         : [`${[word.word, word.title, word.value ?? ''].join(' ').trim()}.`, ...word.facts.map(({ text }) => text)];
-    this.#shell.editor.announce([...said, state?.explanation ?? ''].join(' ').trim());
+    this.#shell.editor.announce([...announcement, state?.explanation ?? ''].join(' ').trim());
   }
 
   /** No answer: the line shows a hint. */
   #clear(): void {
-    this.#shownAs.clear();
-    showText(this.#line, WORDS[this.#shell.language].empty);
+    this.#renderedKeys.clear();
+    setText(this.#line, WORDS[this.#shell.language].empty);
     this.#facts.replaceChildren();
     this.#form.replaceChildren();
-    this.#times.hidden = true;
+    this.#executions.hidden = true;
     this.#state.replaceChildren();
   }
 
   /** The form of the block: its words in a row, and under it the missing and the omitted ones. */
-  #forms(form: FormHelp): HTMLElement[] {
+  #renderForm(form: FormHelp): HTMLElement[] {
     const texts = WORDS[this.#shell.language];
     const rows = form.lines.map((line) =>
-      make('p', { className: line.own ? 'form-line own' : 'form-line', lang: 'en' }, ...this.#formWords(line)),
+      make('p', { className: line.own ? 'form-line own' : 'form-line', lang: 'en' }, ...this.#renderFormWords(line)),
     );
     const own = form.lines.filter((line) => line.own).flatMap(({ words }) => words);
-    const open = own.filter((word) => word.state !== 'there').sort((a, b) => Number(a.optional) - Number(b.optional));
-    const items = open.map((word) =>
+    const missing = own
+      .filter((word) => word.state !== 'there')
+      .sort((a, b) => Number(a.optional) - Number(b.optional));
+    const items = missing.map((word) =>
       make(
         'li',
         { className: word.state },
@@ -278,24 +293,24 @@ class AtCursor implements Panel {
     ];
   }
 
-  #formWords({ code, words }: FormLine): (HTMLElement | string)[] {
+  #renderFormWords({ code, words }: FormLine): (HTMLElement | string)[] {
     const shown = ({ letters, title, optional, state, marked }: FormWord): HTMLElement =>
       make(marked ? 'mark' : 'span', { className: `form-word ${state}`, title }, optional ? `[${letters}]` : letters);
     return [make('b', {}, code), ...words.flatMap((word) => [' ', shown(word)])];
   }
 
-  #mark(marks: readonly [number, number] | undefined): void {
-    if (marks === undefined && !this.#marks) return;
-    this.#marks = marks !== undefined;
+  #setMark(marks: readonly [number, number] | undefined): void {
+    if (marks === undefined && !this.#hasMark) return;
+    this.#hasMark = marks !== undefined;
     this.#shell.editor.hovered = marks === undefined ? undefined : { from: marks[0], to: marks[1] };
   }
 
   #showState(state: StateHelp): void {
     const texts = WORDS[this.#shell.language];
-    this.#times.hidden = state.times < 2;
+    this.#executions.hidden = state.times < 2;
     this.#previous.disabled = state.number <= 1;
     this.#next.disabled = state.number >= state.times;
-    showText(this.#time, texts.time(state.number, state.times));
+    setText(this.#executionText, texts.execution(state.number, state.times));
     if (state.number === 0) {
       this.#state.replaceChildren(make('p', {}, texts.never(state.line)));
       return;
@@ -304,21 +319,21 @@ class AtCursor implements Panel {
       ...[state.purpose, state.explanation]
         .filter((text): text is string => text !== undefined && text !== '')
         .map((text) => make('p', {}, text)),
-      this.#table(texts.state(state.line), [...state.axes, ...state.rows], state.speeds),
-      ...(state.variables.length === 0 ? [] : [this.#table(texts.variables, state.variables)]),
+      this.#renderTable(texts.state(state.line), [...state.axes, ...state.rows], state.speeds),
+      ...(state.variables.length === 0 ? [] : [this.#renderTable(texts.variables, state.variables)]),
       ...(state.hidden === 0 ? [] : [make('p', {}, texts.hidden(state.hidden))]),
       ...(state.frames.length === 0
         ? []
-        : [make('p', { className: 'at-cursor-heading' }, texts.frames), this.#frames(state.frames)]),
+        : [make('p', { className: 'at-cursor-heading' }, texts.frames), this.#renderFrames(state.frames)]),
     ];
-    arrange(this.#state, parts);
+    setChildren(this.#state, parts);
   }
 
-  #table(caption: string, rows: readonly StateRow[], speeds?: string): HTMLTableElement {
+  #renderTable(caption: string, rows: readonly StateRow[], speeds?: string): HTMLTableElement {
     const texts = WORDS[this.#shell.language];
     const heading = (text: string): HTMLElement => make('th', { scope: 'col' }, text);
     const head = make('tr', {}, heading(''), heading(texts.before), heading(texts.after), heading(texts.since));
-    const lines = rows.map((row) => this.#row(row));
+    const lines = rows.map((row) => this.#renderRow(row));
     if (speeds !== undefined)
       lines.push(
         make('tr', {}, make('th', { scope: 'row' }, texts.speeds), make('td', { colSpan: 2 }, speeds), make('td')),
@@ -332,13 +347,13 @@ class AtCursor implements Panel {
     );
   }
 
-  #row({ name, before, after, changed, line, at, variable }: StateRow): HTMLTableRowElement {
+  #renderRow({ name, before, after, changed, line, at, variable }: StateRow): HTMLTableRowElement {
     const texts = WORDS[this.#shell.language];
     const where = make('td', { className: 'since' });
     if (line !== undefined && at !== undefined) {
       const button = make('button', { type: 'button', className: 'to-block', title: texts.toLine(line) }, String(line));
       button.setAttribute('aria-label', texts.toLine(line));
-      button.addEventListener('click', () => this.#go(at));
+      button.addEventListener('click', () => this.#goTo(at));
       where.append(button);
     }
     const cells = changed
@@ -394,12 +409,12 @@ class AtCursor implements Panel {
     return button;
   }
 
-  #frames(frames: readonly HelpLine[]): HTMLElement {
-    return factList(frames, (offset) => this.#go(offset));
+  #renderFrames(frames: readonly HelpLine[]): HTMLElement {
+    return factList(frames, (offset) => this.#goTo(offset));
   }
 
   /** Selects the block at an offset. */
-  #go(offset: number): void {
+  #goTo(offset: number): void {
     this.#shell.goTo({ from: offset, to: this.#shell.editor.endOfLine(offset) });
   }
 }
@@ -414,13 +429,13 @@ const WORDS = words({
   en: {
     atCursor: 'At the cursor',
     hint: 'What the word at the cursor is, and what is in force there (F1)',
-    completes: 'Propose words while typing (Ctrl Space asks for them)',
+    completion: 'Propose words while typing (Ctrl Space asks for them)',
     playBlock: 'Play this block',
     toCursor: 'Play to here',
     breakpoint: 'Stop here',
     empty: 'what the word there is',
     nothing: 'no word',
-    onItsWay: 'the program is gone through once more …',
+    pending: 'the program is gone through once more …',
     form: 'Form of the block',
     open: (title: string, what: string) => `${title}. ${what}`,
     state: (line: number) => `The control before and after line ${line}`,
@@ -433,22 +448,22 @@ const WORDS = words({
     tryHint: (name: string) => `Try another value for ${name} from here on`,
     hidden: (count: number) => `${count} more variables`,
     frames: 'Calls and loops',
-    time: (number: number, times: number) => `time ${number} of ${times}`,
-    previousTime: 'The time before',
-    nextTime: 'The next time',
+    execution: (number: number, times: number) => `time ${number} of ${times}`,
+    previousExecution: 'The time before',
+    nextExecution: 'The next time',
     never: (line: number) => `Line ${line} is not carried out.`,
     toLine: (line: number) => `To line ${line}`,
   },
   zh: {
     atCursor: '光标处',
     hint: '光标处的字是什么，此处哪些指令有效（F1）',
-    completes: '输入时给出建议（Ctrl 空格随时可用）',
+    completion: '输入时给出建议（Ctrl 空格随时可用）',
     playBlock: '播放本段',
     toCursor: '播放到此处',
     breakpoint: '在此停下',
     empty: '光标处的字是什么',
     nothing: '没有字',
-    onItsWay: '正在重新执行程序……',
+    pending: '正在重新执行程序……',
     form: '本程序段的格式',
     open: (title, what) => `${title}。${what}`,
     state: (line) => `第 ${line} 行之前与之后的系统状态`,
@@ -461,22 +476,22 @@ const WORDS = words({
     tryHint: (name) => `从此处起为 ${name} 试用另一个值`,
     hidden: (count) => `另有 ${count} 个变量`,
     frames: '调用与循环',
-    time: (number, times) => `第 ${number} 次，共 ${times} 次`,
-    previousTime: '上一次',
-    nextTime: '下一次',
+    execution: (number, times) => `第 ${number} 次，共 ${times} 次`,
+    previousExecution: '上一次',
+    nextExecution: '下一次',
     never: (line) => `第 ${line} 行不会执行。`,
     toLine: (line) => `转到第 ${line} 行`,
   },
   ru: {
     atCursor: 'У курсора',
     hint: 'Что за слово у курсора и что здесь действует (F1)',
-    completes: 'Предлагать слова при вводе (по запросу – Ctrl Пробел)',
+    completion: 'Предлагать слова при вводе (по запросу – Ctrl Пробел)',
     playBlock: 'Показать кадр',
     toCursor: 'Показать до него',
     breakpoint: 'Пауза здесь',
     empty: 'что за слово',
     nothing: 'слова нет',
-    onItsWay: 'программа проходится ещё раз …',
+    pending: 'программа проходится ещё раз …',
     form: 'Форма кадра',
     open: (title, what) => `${title}. ${what}`,
     state: (line) => `Система ЧПУ до и после строки ${line}`,
@@ -489,9 +504,9 @@ const WORDS = words({
     tryHint: (name) => `Попробовать другое значение ${name} с этого места`,
     hidden: (count) => `Ещё переменных: ${count}`,
     frames: 'Вызовы и циклы',
-    time: (number, times) => `раз ${number} из ${times}`,
-    previousTime: 'Предыдущий раз',
-    nextTime: 'Следующий раз',
+    execution: (number, times) => `раз ${number} из ${times}`,
+    previousExecution: 'Предыдущий раз',
+    nextExecution: 'Следующий раз',
     never: (line) => `Строка ${line} не выполняется.`,
     toLine: (line) => `К строке ${line}`,
   },

@@ -3,7 +3,7 @@
 // In: the rows, as the interpreter answers them. Must not know: the meaning of a code.
 
 import { Dialog } from '../dom/dialog';
-import { make, prose } from '../dom/dom';
+import { make, renderProse } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
@@ -12,7 +12,7 @@ import type { Panel, PanelKind, Services, Shell } from './panel';
 import codesStyles from './codes.css?inline';
 
 /** A row of the table, with the lower-case text that the filter searches. */
-interface Shown {
+interface Row {
   readonly element: HTMLElement;
   readonly body: HTMLElement;
   readonly codes: readonly string[];
@@ -36,8 +36,8 @@ class CodesPanel implements Panel {
     make('label', { className: 'find' }, this.#caption, this.#filter, this.#found),
     this.#text,
   ]);
-  #rows: readonly Shown[] = [];
-  readonly places = { dialogs: [this.#dialog.element] };
+  #rows: readonly Row[] = [];
+  readonly elements = { dialogs: [this.#dialog.element] };
   readonly services: Partial<Services> = { openCodes: () => void this.#open() };
 
   constructor(shell: Shell) {
@@ -47,13 +47,13 @@ class CodesPanel implements Panel {
 
   set language(language: Language) {
     const texts = WORDS[language];
-    this.#dialog.name(texts.codes, COMMON[language].close);
+    this.#dialog.setTexts(texts.codes, COMMON[language].close);
     this.#caption.textContent = texts.codesFilter;
     this.#filter.placeholder = texts.codesFilterHint;
     if (this.#dialog.open) void this.#open();
   }
 
-  get takesKeys(): boolean {
+  get capturesKeys(): boolean {
     return this.#dialog.open;
   }
 
@@ -83,20 +83,20 @@ class CodesPanel implements Panel {
         body = make('tbody', {}, make('tr', {}, title));
         bodies.set(row.section, body);
       }
-      const own = row[first.key];
+      const firstCode = row[first.key];
       // If there is no room for the other columns, their codes are shown after the description if they differ.
-      const differing = others.filter(({ key }) => row[key] !== '' && row[key] !== own);
-      const what = make('td', {}, ...prose(row.does));
-      if (row.note !== '') what.append(make('span', { className: 'note' }, row.note));
+      const differing = others.filter(({ key }) => row[key] !== '' && row[key] !== firstCode);
+      const description = make('td', {}, ...renderProse(row.does));
+      if (row.note !== '') description.append(make('span', { className: 'note' }, row.note));
       for (const { key, name } of differing)
-        what.append(make('span', { className: 'elsewhere' }, `${name}: `, ...written(row[key])));
+        description.append(make('span', { className: 'elsewhere' }, `${name}: `, ...renderCodes(row[key])));
       const element = make(
         'tr',
-        { className: own === '' ? 'absent' : row.effect },
-        make('th', { scope: 'row' }, ...written(own)),
-        what,
+        { className: firstCode === '' ? 'absent' : row.effect },
+        make('th', { scope: 'row' }, ...renderCodes(firstCode)),
+        description,
         ...others.map(({ key }) =>
-          make('td', { className: row[key] === own ? 'other same' : 'other' }, ...written(row[key])),
+          make('td', { className: row[key] === firstCode ? 'other same' : 'other' }, ...renderCodes(row[key])),
         ),
         make('td', { className: 'group' }, groupOf(row)),
       );
@@ -106,7 +106,7 @@ class CodesPanel implements Panel {
         body,
         codes: columns
           .flatMap(({ key }) => row[key].toLowerCase().match(/\S+/g) ?? [])
-          .flatMap((code) => [code, short(code)]),
+          .flatMap((code) => [code, withoutLeadingZeros(code)]),
         words: `${row.section} ${row.does} ${row.note}`.toLowerCase(),
       };
     });
@@ -121,25 +121,27 @@ class CodesPanel implements Panel {
 
   /** Shows codes that begin with the filter text; otherwise rows whose description contains all of its words. */
   #find(): void {
-    const asked = this.#filter.value.trim().toLowerCase();
-    const words = asked.split(/\s+/);
-    const byCode = this.#rows.filter(({ codes }) => codes.includes(asked) || codes.includes(short(asked)));
-    const fits = (row: Shown): boolean =>
+    const query = this.#filter.value.trim().toLowerCase();
+    const words = query.split(/\s+/);
+    const byCode = this.#rows.filter(
+      ({ codes }) => codes.includes(query) || codes.includes(withoutLeadingZeros(query)),
+    );
+    const matches = (row: Row): boolean =>
       words.every((word) => row.words.includes(word) || row.codes.some((code) => code.startsWith(word)));
-    const found = new Set(byCode.length > 0 ? byCode : this.#rows.filter(fits));
+    const found = new Set(byCode.length > 0 ? byCode : this.#rows.filter(matches));
     for (const row of this.#rows) row.element.hidden = !found.has(row);
     const bodies = new Set([...found].map(({ body }) => body));
     for (const { body } of this.#rows) body.hidden = !bodies.has(body);
-    this.#found.textContent = asked === '' ? '' : WORDS[this.#shell.language].codesFound(found.size);
+    this.#found.textContent = query === '' ? '' : WORDS[this.#shell.language].codesFound(found.size);
   }
 }
 
 /** The code without leading zeros, as it may also be typed: G1 for G01. */
-function short(code: string): string {
+function withoutLeadingZeros(code: string): string {
   return code.replace(/^([a-z])0+(?=\d)/, '$1');
 }
 
-function written(codes: string): (Node | string)[] {
+function renderCodes(codes: string): (Node | string)[] {
   if (codes === '') return ['–'];
   return codes.split(' ').flatMap((code, i) => [i > 0 ? ' ' : '', make('code', { lang: 'en' }, code)]);
 }

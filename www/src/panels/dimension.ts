@@ -5,27 +5,27 @@
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Dimension, LengthUnit } from '../protocol/protocol';
-import { length as lengthIn, short } from './lengths';
+import { formatLength, formatShort } from './lengths';
 
 export function dimensionText(language: Language, edge: Dimension, unit: LengthUnit): string {
   const texts = WORDS[language];
-  const shown = (mm: number): string => lengthIn(mm, unit);
-  const [x0, x1] = edge.x.map(shown) as [string, string];
-  const z = shown(edge.z[0]);
-  const length = shown(edge.length);
+  const format = (mm: number): string => formatLength(mm, unit);
+  const [x0, x1] = edge.x.map(format) as [string, string];
+  const z = format(edge.z[0]);
+  const length = format(edge.length);
   switch (edge.kind) {
     case 'cylinder':
       return texts.cylinder(x0, length);
     case 'face':
       return texts.faceEdge(z, x0, x1);
     case 'taper': {
-      const ratio = edge.ratio === undefined ? '' : texts.ratio(short(edge.ratio, 3));
-      return texts.taper(x0, x1, length, short(edge.angle ?? 0, 3)) + ratio;
+      const ratio = edge.ratio === undefined ? '' : texts.ratio(formatShort(edge.ratio, 3));
+      return texts.taper(x0, x1, length, formatShort(edge.angle ?? 0, 3)) + ratio;
     }
     case 'arc':
-      return texts.arc(shown(edge.radius ?? 0));
+      return texts.arc(format(edge.radius ?? 0));
     case 'thread':
-      return texts.threadEdge(shown(edge.lead ?? 0), x1, x0);
+      return texts.threadEdge(format(edge.lead ?? 0), x1, x0);
   }
 }
 

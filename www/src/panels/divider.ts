@@ -11,9 +11,9 @@ import type { Panel, PanelKind, Shell } from './panel';
 import dividerStyles from './divider.css?inline';
 
 /** Width of the program, percent: default, minimum and maximum. */
-const SHARE = { unsaid: 40, least: 20, most: 75 } as const;
+const WIDTH_PERCENT = { default: 40, min: 20, max: 75 } as const;
 /** Percent for each key press. */
-const STEP = 2;
+const STEP_PERCENT = 2;
 
 export const divider: PanelKind = { styles: dividerStyles, make: (shell) => new Divider(shell) };
 
@@ -25,11 +25,11 @@ class Divider implements Panel {
     role: 'separator',
     tabIndex: 0,
     'aria-orientation': 'vertical',
-    'aria-valuemin': SHARE.least,
-    'aria-valuemax': SHARE.most,
+    'aria-valuemin': WIDTH_PERCENT.min,
+    'aria-valuemax': WIDTH_PERCENT.max,
     'aria-controls': 'written',
   });
-  readonly places = { divider: [this.#element] };
+  readonly elements = { divider: [this.#element] };
 
   constructor(shell: Shell) {
     this.#host = shell.root.host;
@@ -44,10 +44,10 @@ class Divider implements Panel {
       const { left, width } = this.#frame.getBoundingClientRect();
       this.#show(((event.clientX - left) / width) * 100);
     });
-    this.#element.addEventListener('pointerup', () => this.#keep());
-    this.#element.addEventListener('dblclick', () => this.#set(SHARE.unsaid));
-    this.#element.addEventListener('keydown', (event) => this.#key(event));
-    this.#show(Number(this.#host.getAttribute('split') ?? SHARE.unsaid) || SHARE.unsaid);
+    this.#element.addEventListener('pointerup', () => this.#store());
+    this.#element.addEventListener('dblclick', () => this.#set(WIDTH_PERCENT.default));
+    this.#element.addEventListener('keydown', (event) => this.#handleKey(event));
+    this.#show(Number(this.#host.getAttribute('split') ?? WIDTH_PERCENT.default) || WIDTH_PERCENT.default);
   }
 
   set language(language: Language) {
@@ -55,35 +55,35 @@ class Divider implements Panel {
     this.#element.title = WORDS[language].hint;
   }
 
-  get #share(): number {
+  get #percent(): number {
     return Number(this.#element.getAttribute('aria-valuenow'));
   }
 
   #show(percent: number): void {
-    const share = Math.round(Math.min(Math.max(percent, SHARE.least), SHARE.most));
-    this.#element.setAttribute('aria-valuenow', String(share));
-    this.#frame.style.setProperty('--split', `${share}%`);
+    const rounded = Math.round(Math.min(Math.max(percent, WIDTH_PERCENT.min), WIDTH_PERCENT.max));
+    this.#element.setAttribute('aria-valuenow', String(rounded));
+    this.#frame.style.setProperty('--split', `${rounded}%`);
   }
 
   #set(percent: number): void {
     this.#show(percent);
-    this.#keep();
+    this.#store();
   }
 
-  #keep(): void {
-    const split = String(this.#share);
+  #store(): void {
+    const split = String(this.#percent);
     if (this.#host.getAttribute('split') === split) return;
     this.#host.setAttribute('split', split);
     this.#host.dispatchEvent(new CustomEvent('gcode-split', { detail: { split }, bubbles: true, composed: true }));
   }
 
-  #key(event: KeyboardEvent): void {
+  #handleKey(event: KeyboardEvent): void {
     const to = {
-      ArrowLeft: this.#share - STEP,
-      ArrowRight: this.#share + STEP,
-      Home: SHARE.least,
-      End: SHARE.most,
-      Enter: SHARE.unsaid,
+      ArrowLeft: this.#percent - STEP_PERCENT,
+      ArrowRight: this.#percent + STEP_PERCENT,
+      Home: WIDTH_PERCENT.min,
+      End: WIDTH_PERCENT.max,
+      Enter: WIDTH_PERCENT.default,
     }[event.key];
     if (to === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
     this.#set(to);

@@ -3,32 +3,32 @@
 // In: the stroke under the pointer (as an answer), the counts for the legend. Out: the events below. The pictures are
 // painted in the worker and arrive as images. Must not know: how a stroke is found, or its meaning.
 
-import { icon, make, name, perFrame, unbroken } from '../dom/dom';
+import { icon, make, setAccessibleName, perFrame, renderUnbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { Palette, Size, Stroke, Summary, WorkShown } from '../protocol/protocol';
 import { PictureCanvas } from './picture-canvas';
 
 /** A pointer that moved less than this between press and release, CSS pixels, has clicked. */
-const CLICK_SLOP = { mouse: 4, touch: 10 };
-const KEY_PAN = 40;
+const CLICK_SLOP_PX = { mouse: 4, touch: 10 };
+const KEY_PAN_PX = 40;
 const KEY_ZOOM = 1.25;
 /** Font size of the page at which the picture has its natural scale, CSS pixels. */
-const TYPE_AS_USUAL = 16;
+const BASE_FONT_SIZE_PX = 16;
 
 export interface DrawingEvents {
-  resized(size: Size): void;
+  onResize(size: Size): void;
   /** Asks for the picture again, unchanged. */
-  wanted(): void;
+  requestPicture(): void;
   fit(): void;
   pan(dx: number, dy: number): void;
   zoom(factor: number, x: number, y: number): void;
-  pointed(x: number, y: number): void;
-  left(): void;
+  onPoint(x: number, y: number): void;
+  onLeave(): void;
   /** `keepFocus`: a finger tapped, and an on-screen keyboard must not open. */
-  clicked(x: number, y: number, keepFocus: boolean): void;
+  onClick(x: number, y: number, keepFocus: boolean): void;
   /** The colours of the host page have changed. */
-  recoloured?(): void;
+  onColoursChanged?(): void;
   /** Other pictures that the buttons act on too. */
   companions?(): readonly Drawing[];
 }
@@ -68,16 +68,16 @@ export class Drawing {
   readonly #tip = make('div', { className: 'tip', part: 'tooltip', role: 'tooltip', hidden: true });
   readonly #pointers = new Map<number, { x: number; y: number }>();
   /** A box as wide as the font size of the page, to observe it. */
-  readonly #type = make('div', { className: 'type-size' });
+  readonly #fontProbe = make('div', { className: 'type-size' });
   #scale = 1;
-  readonly #sizes = new ResizeObserver(() => {
+  readonly #sizeObserver = new ResizeObserver(() => {
     const { width, height } = this.#holder.getBoundingClientRect();
     // During layout a page may have no width for a moment; a hidden page has neither width nor height.
-    if (width > 0 === height > 0) this.#events.resized(this.size);
+    if (width > 0 === height > 0) this.#events.onResize(this.size);
   });
   /** Watches whether the host page scrolls. */
-  readonly #page = new ResizeObserver(() => this.#canvas.classList.toggle('of-a-page', pageScrolls()));
-  readonly #picture = new PictureCanvas(() => this.#events.wanted());
+  readonly #scrollObserver = new ResizeObserver(() => this.#canvas.classList.toggle('of-a-page', pageScrolls()));
+  readonly #picture = new PictureCanvas(() => this.#events.requestPicture());
   readonly #canvas = this.#picture.element;
   #language: Language;
   #label: (motions: number) => string = () => '';
@@ -86,13 +86,13 @@ export class Drawing {
   #stroke: Stroke | undefined;
   #edge: string | undefined;
   /** Explanation of the block of a motion. */
-  #explained: { readonly motion: number; readonly text: string } | undefined;
-  #legendShown = '';
-  #travel = 0;
-  #panning = { dx: 0, dy: 0 };
-  #at = { x: 0, y: 0 };
+  #explanation: { readonly motion: number; readonly text: string } | undefined;
+  #shownLegend = '';
+  #dragDistance = 0;
+  #pendingPan = { dx: 0, dy: 0 };
+  #pointer = { x: 0, y: 0 };
   /** Whether the pointer is over the picture and nothing is dragged. */
-  #pointing = false;
+  #isHovering = false;
 
   constructor(language: Language, events: DrawingEvents) {
     this.#language = language;
@@ -100,8 +100,8 @@ export class Drawing {
       ...events,
       pan: (dx, dy) => events.pan(dx / this.scale, dy / this.scale),
       zoom: (factor, x, y) => events.zoom(factor, x / this.scale, y / this.scale),
-      pointed: (x, y) => events.pointed(x / this.scale, y / this.scale),
-      clicked: (x, y, keepFocus) => events.clicked(x / this.scale, y / this.scale, keepFocus),
+      onPoint: (x, y) => events.onPoint(x / this.scale, y / this.scale),
+      onClick: (x, y, keepFocus) => events.onClick(x / this.scale, y / this.scale, keepFocus),
     };
     this.element = make(
       'section',
@@ -114,25 +114,25 @@ export class Drawing {
     this.viewButtons.append(this.#fit, this.#zoomIn, this.#zoomOut);
     const all = (act: (drawing: Drawing) => void): void => [this, ...(this.#events.companions?.() ?? [])].forEach(act);
     this.#fit.addEventListener('click', () => all((drawing) => drawing.#events.fit()));
-    this.#zoomIn.addEventListener('click', () => all((drawing) => drawing.#zoomMiddle(KEY_ZOOM)));
-    this.#zoomOut.addEventListener('click', () => all((drawing) => drawing.#zoomMiddle(1 / KEY_ZOOM)));
-    this.#holder.append(this.#canvas, this.#type);
-    this.#listen(this.#canvas);
-    this.#sizes.observe(this.#holder);
-    this.#sizes.observe(this.#type);
-    this.#page.observe(this.#holder);
-    this.#page.observe(document.documentElement);
-    this.#type.addEventListener('transitionend', () => events.recoloured?.());
+    this.#zoomIn.addEventListener('click', () => all((drawing) => drawing.#zoomCentre(KEY_ZOOM)));
+    this.#zoomOut.addEventListener('click', () => all((drawing) => drawing.#zoomCentre(1 / KEY_ZOOM)));
+    this.#holder.append(this.#canvas, this.#fontProbe);
+    this.#addListeners(this.#canvas);
+    this.#sizeObserver.observe(this.#holder);
+    this.#sizeObserver.observe(this.#fontProbe);
+    this.#scrollObserver.observe(this.#holder);
+    this.#scrollObserver.observe(document.documentElement);
+    this.#fontProbe.addEventListener('transitionend', () => events.onColoursChanged?.());
   }
 
   /** `label` is the text for screen readers. */
-  speak(language: Language, label: (motions: number) => string): void {
+  setLanguage(language: Language, label: (motions: number) => string): void {
     const texts = WORDS[language];
     this.#language = language;
     this.#label = label;
-    name(this.#fit, texts.fit);
-    name(this.#zoomIn, texts.zoomIn);
-    name(this.#zoomOut, texts.zoomOut);
+    setAccessibleName(this.#fit, texts.fit);
+    setAccessibleName(this.#zoomIn, texts.zoomIn);
+    setAccessibleName(this.#zoomOut, texts.zoomOut);
     this.#empty.textContent = texts.nothingToDraw;
     this.#showSummary();
   }
@@ -151,7 +151,7 @@ export class Drawing {
   get size(): Size {
     const { width, height } = this.#holder.getBoundingClientRect();
     const scale = (this.#scale =
-      Math.max(Number.parseFloat(getComputedStyle(this.#type).width) / TYPE_AS_USUAL, 1) || 1);
+      Math.max(Number.parseFloat(getComputedStyle(this.#fontProbe).width) / BASE_FONT_SIZE_PX, 1) || 1);
     return {
       width: Math.max(width / scale, 1),
       height: Math.max(height / scale, 1),
@@ -196,26 +196,26 @@ export class Drawing {
   showTip(stroke: Stroke | undefined): void {
     this.#stroke = stroke;
     this.#canvas.classList.toggle('on-stroke', stroke !== undefined);
-    this.#fillTip();
+    this.#updateTip();
   }
 
   /** Shows what the block of a motion does, under the text of its stroke. */
   explain(motion: number, text: string): void {
-    this.#explained = { motion, text };
-    this.#fillTip();
+    this.#explanation = { motion, text };
+    this.#updateTip();
   }
 
   /** Shows the dimensions of the edge under the pointer, if any. */
   showEdge(text: string | undefined): void {
     this.#edge = text;
-    this.#fillTip();
+    this.#updateTip();
   }
 
-  #fillTip(): void {
+  #updateTip(): void {
     const [stroke, edge] = [this.#stroke, this.#edge];
     this.#tip.hidden = stroke === undefined && edge === undefined;
     if (this.#tip.hidden) return;
-    const ofStroke =
+    const strokeRow =
       stroke === undefined
         ? []
         : [
@@ -223,25 +223,25 @@ export class Drawing {
               'div',
               { className: 'stroke' },
               make('span', { className: `swatch ${swatch(stroke.kind)}` }),
-              make('span', { className: 'what' }, ...unbroken(stroke.text)),
+              make('span', { className: 'what' }, ...renderUnbroken(stroke.text)),
               make('span', { className: 'facts' }, COMMON[this.#language].line(stroke.line)),
             ),
           ];
-    const does = stroke !== undefined && this.#explained?.motion === stroke.motion ? this.#explained.text : '';
-    const ofBlock = does === '' ? [] : [make('div', { className: 'does' }, ...unbroken(does))];
-    const ofEdge = edge === undefined ? [] : [make('div', { className: 'edge' }, edge)];
-    this.#tip.replaceChildren(...ofStroke, ...ofBlock, ...ofEdge);
-    const room = this.#holder.getBoundingClientRect();
+    const does = stroke !== undefined && this.#explanation?.motion === stroke.motion ? this.#explanation.text : '';
+    const blockRow = does === '' ? [] : [make('div', { className: 'does' }, ...renderUnbroken(does))];
+    const edgeRow = edge === undefined ? [] : [make('div', { className: 'edge' }, edge)];
+    this.#tip.replaceChildren(...strokeRow, ...blockRow, ...edgeRow);
+    const bounds = this.#holder.getBoundingClientRect();
     const { width, height } = this.#tip.getBoundingClientRect();
-    const x = Math.min(Math.max(this.#at.x + 14, 8), Math.max(room.width - width - 8, 8));
-    const below = this.#at.y + 18;
-    const y = below + height > room.height - 8 ? Math.max(this.#at.y - height - 12, 8) : below;
+    const x = Math.min(Math.max(this.#pointer.x + 14, 8), Math.max(bounds.width - width - 8, 8));
+    const below = this.#pointer.y + 18;
+    const y = below + height > bounds.height - 8 ? Math.max(this.#pointer.y - height - 12, 8) : below;
     this.#tip.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
 
   /** Asks again for the stroke under a resting pointer, because another picture is shown. */
-  lookAgain(): void {
-    this.#point();
+  repeatHitTest(): void {
+    this.#reportPointer();
   }
 
   #showSummary(): void {
@@ -256,136 +256,136 @@ export class Drawing {
     ];
     const present = kinds.filter(([present]) => present);
     const shown = present.map(([, , text]) => text).join();
-    if (shown === this.#legendShown) return;
-    this.#legendShown = shown;
+    if (shown === this.#shownLegend) return;
+    this.#shownLegend = shown;
     this.legend.replaceChildren(
       ...present.map(([, kind, text]) => make('li', {}, make('span', { className: `swatch ${kind}` }), text)),
     );
   }
 
-  #zoomMiddle(factor: number): void {
+  #zoomCentre(factor: number): void {
     const { width, height } = this.#holder.getBoundingClientRect();
     this.#events.zoom(factor, width / 2, height / 2);
   }
 
-  #listen(canvas: HTMLCanvasElement): void {
-    canvas.addEventListener('pointerdown', (event) => this.#down(event));
-    canvas.addEventListener('pointermove', (event) => this.#move(event));
-    canvas.addEventListener('pointerup', (event) => this.#up(event));
+  #addListeners(canvas: HTMLCanvasElement): void {
+    canvas.addEventListener('pointerdown', (event) => this.#onPointerDown(event));
+    canvas.addEventListener('pointermove', (event) => this.#onPointerMove(event));
+    canvas.addEventListener('pointerup', (event) => this.#onPointerUp(event));
     canvas.addEventListener('pointercancel', (event) => this.#pointers.delete(event.pointerId));
     canvas.addEventListener('pointerleave', (event) => {
-      if (event.pointerType === 'mouse') this.#left();
+      if (event.pointerType === 'mouse') this.#onLeave();
     });
     canvas.addEventListener('dblclick', () => this.#events.fit());
-    canvas.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
-    canvas.addEventListener('keydown', (event) => this.#key(event));
+    canvas.addEventListener('wheel', (event) => this.#onWheel(event), { passive: false });
+    canvas.addEventListener('keydown', (event) => this.#handleKey(event));
   }
 
-  #place(event: MouseEvent): { x: number; y: number } {
+  #pointOf(event: MouseEvent): { x: number; y: number } {
     const { x, y } = this.origin;
     return { x: event.clientX - x, y: event.clientY - y };
   }
 
-  #down(event: PointerEvent): void {
+  #onPointerDown(event: PointerEvent): void {
     if (event.button !== 0) return;
     this.#canvas.setPointerCapture(event.pointerId);
-    if (this.#pointers.size === 0) this.#travel = 0;
-    this.#pointers.set(event.pointerId, this.#place(event));
+    if (this.#pointers.size === 0) this.#dragDistance = 0;
+    this.#pointers.set(event.pointerId, this.#pointOf(event));
   }
 
-  #move(event: PointerEvent): void {
-    const now = this.#place(event);
-    if (this.#isOfThePage(event)) return;
+  #onPointerMove(event: PointerEvent): void {
+    const now = this.#pointOf(event);
+    if (this.#scrollsPage(event)) return;
     const before = this.#pointers.get(event.pointerId);
     if (before === undefined) {
-      this.#at = now;
-      this.#pointing = true;
-      this.#point();
+      this.#pointer = now;
+      this.#isHovering = true;
+      this.#reportPointer();
       return;
     }
     const others = [...this.#pointers].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
     const other = others[0];
     if (other !== undefined) {
-      const apart =
+      const factor =
         Math.hypot(now.x - other.x, now.y - other.y) / Math.max(Math.hypot(before.x - other.x, before.y - other.y), 1);
-      this.#events.zoom(apart, (now.x + other.x) / 2, (now.y + other.y) / 2);
+      this.#events.zoom(factor, (now.x + other.x) / 2, (now.y + other.y) / 2);
     }
     // With two fingers, the midpoint moves by half the distance that one finger moves.
     const share = other === undefined ? 1 : 0.5;
     const dx = (now.x - before.x) * share;
     const dy = (now.y - before.y) * share;
-    this.#travel += Math.hypot(dx, dy);
+    this.#dragDistance += Math.hypot(dx, dy);
     this.#pointers.set(event.pointerId, now);
-    if (this.#travel < this.#slop(event)) return;
-    this.#left();
-    this.#panning.dx += dx;
-    this.#panning.dy += dy;
-    this.#pan();
+    if (this.#dragDistance < this.#slop(event)) return;
+    this.#onLeave();
+    this.#pendingPan.dx += dx;
+    this.#pendingPan.dy += dy;
+    this.#reportPan();
   }
 
   /** Whether a finger scrolls the page, not the picture. */
-  #isOfThePage(event: PointerEvent): boolean {
+  #scrollsPage(event: PointerEvent): boolean {
     return event.pointerType === 'touch' && this.#canvas.matches('.of-a-page:not(:focus)');
   }
 
-  #up(event: PointerEvent): void {
+  #onPointerUp(event: PointerEvent): void {
     if (!this.#pointers.delete(event.pointerId)) return;
     if (event.pointerType === 'touch') this.#canvas.focus({ preventScroll: true });
-    if (this.#travel >= this.#slop(event) || this.#pointers.size > 0) return;
-    this.#at = this.#place(event);
-    this.#events.pointed(this.#at.x, this.#at.y);
-    this.#events.clicked(this.#at.x, this.#at.y, event.pointerType !== 'mouse');
+    if (this.#dragDistance >= this.#slop(event) || this.#pointers.size > 0) return;
+    this.#pointer = this.#pointOf(event);
+    this.#events.onPoint(this.#pointer.x, this.#pointer.y);
+    this.#events.onClick(this.#pointer.x, this.#pointer.y, event.pointerType !== 'mouse');
   }
 
   #slop(event: PointerEvent): number {
-    return event.pointerType === 'mouse' ? CLICK_SLOP.mouse : CLICK_SLOP.touch;
+    return event.pointerType === 'mouse' ? CLICK_SLOP_PX.mouse : CLICK_SLOP_PX.touch;
   }
 
-  #left(): void {
-    this.#pointing = false;
-    this.#events.left();
+  #onLeave(): void {
+    this.#isHovering = false;
+    this.#events.onLeave();
   }
 
-  readonly #point = perFrame(() => {
+  readonly #reportPointer = perFrame(() => {
     // The pointer may have left since.
-    if (this.#pointing) this.#events.pointed(this.#at.x, this.#at.y);
+    if (this.#isHovering) this.#events.onPoint(this.#pointer.x, this.#pointer.y);
   });
-  readonly #pan = perFrame(() => {
-    this.#events.pan(this.#panning.dx, this.#panning.dy);
-    this.#panning = { dx: 0, dy: 0 };
+  readonly #reportPan = perFrame(() => {
+    this.#events.pan(this.#pendingPan.dx, this.#pendingPan.dy);
+    this.#pendingPan = { dx: 0, dy: 0 };
   });
 
   /** In a page that scrolls, the wheel scrolls the page until the drawing has the focus (or Ctrl is held). */
-  #wheel(event: WheelEvent): void {
+  #onWheel(event: WheelEvent): void {
     if (pageScrolls() && !event.ctrlKey && !this.#canvas.matches(':focus')) return;
     event.preventDefault();
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? event.deltaY : event.deltaY * 30;
-    const { x, y } = this.#place(event);
+    const { x, y } = this.#pointOf(event);
     this.#events.zoom(Math.exp(-pixels * (event.ctrlKey ? 0.01 : 0.0016)), x, y);
   }
 
-  #key(event: KeyboardEvent): void {
+  #handleKey(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     switch (event.key) {
       case 'ArrowLeft':
-        this.#events.pan(KEY_PAN, 0);
+        this.#events.pan(KEY_PAN_PX, 0);
         break;
       case 'ArrowRight':
-        this.#events.pan(-KEY_PAN, 0);
+        this.#events.pan(-KEY_PAN_PX, 0);
         break;
       case 'ArrowUp':
-        this.#events.pan(0, KEY_PAN);
+        this.#events.pan(0, KEY_PAN_PX);
         break;
       case 'ArrowDown':
-        this.#events.pan(0, -KEY_PAN);
+        this.#events.pan(0, -KEY_PAN_PX);
         break;
       case '+':
       case '=':
-        this.#zoomMiddle(KEY_ZOOM);
+        this.#zoomCentre(KEY_ZOOM);
         break;
       case '-':
       case '−':
-        this.#zoomMiddle(1 / KEY_ZOOM);
+        this.#zoomCentre(1 / KEY_ZOOM);
         break;
       case 'f':
       case 'F':

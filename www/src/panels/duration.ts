@@ -7,22 +7,24 @@ import { counter } from '../dom/plural';
 import { words } from '../dom/words';
 
 /** The known time, and the number of motions of unknown time. */
-export interface Duration {
+interface Duration {
   readonly seconds: number;
   readonly unknownCuts: number;
   readonly unknownRapids: number;
 }
 
 /** "1:38" or "1:02:09". */
-export function clock(seconds: number): string {
-  const whole = Math.floor(seconds + 1e-6);
-  const two = (value: number): string => String(value).padStart(2, '0');
-  const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
-  return hours > 0 ? `${hours}:${two(minutes)}:${two(whole % 60)}` : `${minutes}:${two(whole % 60)}`;
+export function formatClock(seconds: number): string {
+  const wholeSeconds = Math.floor(seconds + 1e-6);
+  const twoDigits = (value: number): string => String(value).padStart(2, '0');
+  const [hours, minutes] = [Math.floor(wholeSeconds / 3600), Math.floor(wholeSeconds / 60) % 60];
+  return hours > 0
+    ? `${hours}:${twoDigits(minutes)}:${twoDigits(wholeSeconds % 60)}`
+    : `${minutes}:${twoDigits(wholeSeconds % 60)}`;
 }
 
 /** " + 102 rapids": the motions that the time does not include; empty if it includes all. */
-export function countsOfUnknown({ unknownCuts, unknownRapids }: Duration, language: Language): string {
+export function unknownCounts({ unknownCuts, unknownRapids }: Duration, language: Language): string {
   const texts = WORDS[language];
   const rapids = unknownRapids > 0 ? ` + ${texts.rapids(unknownRapids)}` : '';
   const cuts = unknownCuts > 0 ? ` + ${texts.cuts(unknownCuts)}` : '';

@@ -25,7 +25,7 @@ class Exports implements Panel {
   readonly #element = make('div', { className: 'menu', part: 'export-menu', role: 'menu', popover: 'auto' });
   readonly #items: readonly { readonly format: ExportFormat; readonly button: HTMLButtonElement }[];
 
-  readonly places = { foot: [this.#button], dialogs: [this.#element] };
+  readonly elements = { foot: [this.#button], dialogs: [this.#element] };
   readonly services = { exported: (format: ExportFormat) => this.#shell.ask('export', { format }) };
 
   constructor(shell: Shell) {
@@ -45,15 +45,15 @@ class Exports implements Panel {
       if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
       event.preventDefault();
       this.#element.showPopover();
-      this.#focus(event.key === 'ArrowUp' ? -1 : 0);
+      this.#focusItem(event.key === 'ArrowUp' ? -1 : 0);
     });
-    this.#element.addEventListener('keydown', (event) => this.#key(event));
+    this.#element.addEventListener('keydown', (event) => this.#handleKey(event));
     this.#element.addEventListener('toggle', (event) => {
       const open = event.newState === 'open';
       this.#button.setAttribute('aria-expanded', String(open));
       if (!open) return;
-      this.#place();
-      if (!this.#element.contains(this.#focused)) this.#focus(0);
+      this.#placeMenu();
+      if (!this.#element.contains(this.#activeElement)) this.#focusItem(0);
     });
     this.available = false;
   }
@@ -89,41 +89,41 @@ class Exports implements Panel {
     download(name, asProgram ? bytesToSave(new TextDecoder().decode(content), { ...file, name }).bytes : content);
   }
 
-  get #focused(): Element | null {
+  get #activeElement(): Element | null {
     return (this.#element.getRootNode() as ShadowRoot).activeElement;
   }
 
   /** Places the menu above the button, right-aligned with it, within the window. */
-  #place(): void {
+  #placeMenu(): void {
     const { right, top } = this.#button.getBoundingClientRect();
     const { offsetWidth: width, offsetHeight: height } = this.#element;
     this.#element.style.left = `${Math.max(8, Math.min(right, window.innerWidth - 8) - width)}px`;
     this.#element.style.top = `${Math.max(8, top - height - 6)}px`;
   }
 
-  #key(event: KeyboardEvent): void {
-    const at = this.#items.findIndex(({ button }) => button === this.#focused);
-    if (event.key === 'ArrowDown') this.#focus(at + 1);
-    else if (event.key === 'ArrowUp') this.#focus(at - 1);
-    else if (event.key === 'Home') this.#focus(0);
-    else if (event.key === 'End') this.#focus(-1);
+  #handleKey(event: KeyboardEvent): void {
+    const at = this.#items.findIndex(({ button }) => button === this.#activeElement);
+    if (event.key === 'ArrowDown') this.#focusItem(at + 1);
+    else if (event.key === 'ArrowUp') this.#focusItem(at - 1);
+    else if (event.key === 'Home') this.#focusItem(0);
+    else if (event.key === 'End') this.#focusItem(-1);
     else if (event.key === 'Tab' || event.key === 'Escape') {
       this.#element.hidePopover();
       this.#button.focus();
     } else if (event.key.length === 1 && event.key !== ' ' && !event.ctrlKey && !event.metaKey && !event.altKey) {
       const letter = event.key.toLocaleLowerCase();
-      const round = [...this.#items.keys()].map((step) => (at + 1 + step) % this.#items.length);
-      const found = round.find((index) =>
+      const order = [...this.#items.keys()].map((step) => (at + 1 + step) % this.#items.length);
+      const found = order.find((index) =>
         this.#items[index]?.button.textContent?.toLocaleLowerCase().startsWith(letter),
       );
-      if (found !== undefined) this.#focus(found);
+      if (found !== undefined) this.#focusItem(found);
     } else return;
     event.preventDefault();
     event.stopPropagation();
   }
 
   /** Focuses an item of the menu; the index wraps around. */
-  #focus(index: number): void {
+  #focusItem(index: number): void {
     this.#items.at(index % this.#items.length)?.button.focus();
   }
 }

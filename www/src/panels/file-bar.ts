@@ -9,9 +9,9 @@ import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import { bytesToSave, download, reread } from '../editor/program-files';
 import { programText, type ProgramFile } from '../editor/program-text';
-import type { Opened } from '../editor/read-program';
+import type { OpenedFile } from '../editor/read-program';
 import { ENCODING_NAMES, ENCODINGS, type Encoding } from '../files/encodings';
-import { late } from './late';
+import { loadPart } from './load-part';
 import type { Key, Panel, PanelKind, Services, Shell } from './panel';
 import fileBarStyles from './file-bar.css?inline';
 
@@ -24,8 +24,8 @@ class FileBar implements Panel {
   readonly #encoding = make('select', { className: 'small' });
   #file: ProgramFile | undefined;
   /** The newest file that is being read. */
-  #opening: Promise<unknown> | undefined;
-  readonly places = { bar: [this.#element] };
+  #pendingOpen: Promise<unknown> | undefined;
+  readonly elements = { bar: [this.#element] };
   readonly services: Partial<Services> = { openFile: (file) => this.#open(file), saveFile: () => this.#save() };
 
   constructor(shell: Shell) {
@@ -35,15 +35,15 @@ class FileBar implements Panel {
     this.#encoding.disabled = shell.readonly;
     this.#encoding.addEventListener('change', () => {
       const chosen = this.#encoding.value as Encoding;
-      // The field shows the encoding of the file, which changes only if `#choose` succeeds.
-      this.fileChanged(this.#file);
-      this.#choose(chosen);
+      // The field shows the encoding of the file, which changes only if `#changeEncoding` succeeds.
+      this.onFileChanged(this.#file);
+      this.#changeEncoding(chosen);
     });
     this.#element.append(this.#name, this.#encoding);
     // Also over the drawing, where the browser would otherwise navigate to the file.
     acceptFiles(shell.root.host as HTMLElement, {
       hint: () => COMMON[shell.language].dropHere,
-      dropped: (file) => void (shell.readonly ? undefined : this.#open(file)),
+      onDrop: (file) => void (shell.readonly ? undefined : this.#open(file)),
     });
   }
 
@@ -52,7 +52,7 @@ class FileBar implements Panel {
     this.#encoding.title = WORDS[language].encodingHint;
   }
 
-  fileChanged(file: ProgramFile | undefined): void {
+  onFileChanged(file: ProgramFile | undefined): void {
     // A notice about the previous file is hidden.
     if (file?.name !== this.#file?.name) this.#shell.service('hideNotice')('file');
     this.#file = file;
@@ -62,10 +62,11 @@ class FileBar implements Panel {
     this.#encoding.value = file.encoding;
   }
 
-  pressed({ event }: Key): 'own' | 'not-own' {
-    const own = event.key.toLowerCase() === 's' && (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey;
-    if (own) this.#save();
-    return own ? 'own' : 'not-own';
+  onKey({ event }: Key): 'handled' | 'ignored' {
+    const isSave =
+      event.key.toLowerCase() === 's' && (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey;
+    if (isSave) this.#save();
+    return isSave ? 'handled' : 'ignored';
   }
 
   get #words(): (typeof WORDS)['en'] {
@@ -75,25 +76,25 @@ class FileBar implements Panel {
   /** Opens a file as the program; undo restores the previous one. */
   async #open(file: File): Promise<void> {
     const opening = this.#read(file);
-    this.#opening = opening;
+    this.#pendingOpen = opening;
     const opened = await opening;
     // The user has opened another file since.
-    if (this.#opening !== opening || opened === undefined) return;
-    const [say, texts] = [this.#shell.service('notice'), this.#words];
-    if (opened.kind === 'too-large') say(texts.fileTooLarge(opened.name));
-    else if (opened.kind === 'unreadable') say(texts.fileUnreadable(opened.name));
+    if (this.#pendingOpen !== opening || opened === undefined) return;
+    const [notify, texts] = [this.#shell.service('notice'), this.#words];
+    if (opened.kind === 'too-large') notify(texts.fileTooLarge(opened.name));
+    else if (opened.kind === 'unreadable') notify(texts.fileUnreadable(opened.name));
     else {
       const { name, encoding } = opened.file;
-      this.#shell.take(opened.program, opened.file, 'another');
-      if (opened.binary) say(texts.openedBinary(name));
-      else if (encoding === 'utf-8') say(texts.opened(name));
-      else say(texts.openedAs(name, ENCODING_NAMES[encoding]));
+      this.#shell.replaceProgram(opened.program, opened.file, 'another');
+      if (opened.binary) notify(texts.openedBinary(name));
+      else if (encoding === 'utf-8') notify(texts.opened(name));
+      else notify(texts.openedAs(name, ENCODING_NAMES[encoding]));
     }
   }
 
   /** Reads a file, after loading the code for it. Undefined if that could not be loaded; a notice says so. */
-  async #read(file: File): Promise<Opened | undefined> {
-    const part = await late(
+  async #read(file: File): Promise<OpenedFile | undefined> {
+    const part = await loadPart(
       this.#shell,
       () => import('../editor/read-program'),
       () => void this.#open(file),
@@ -105,36 +106,36 @@ class FileBar implements Panel {
   #save(): void {
     const { editor } = this.#shell;
     const before = editor.file;
-    const { bytes, file, noPlaceFor } = bytesToSave(editor.textWithLineEnds, before);
+    const { bytes, file, unencodable } = bytesToSave(editor.textWithLineEnds, before);
     download(file.name, bytes);
-    if (noPlaceFor === undefined || before === undefined) return;
+    if (unencodable === undefined || before === undefined) return;
     editor.file = file;
-    this.#shell.service('notice')(this.#words.savedAsUtf8(file.name, ENCODING_NAMES[before.encoding], noPlaceFor));
-    this.#shell.changed();
+    this.#shell.service('notice')(this.#words.savedAsUtf8(file.name, ENCODING_NAMES[before.encoding], unencodable));
+    this.#shell.notifyFileChanged();
   }
 
-  #choose(encoding: Encoding): void {
+  #changeEncoding(encoding: Encoding): void {
     const { editor } = this.#shell;
     const { file } = editor;
     if (file === undefined) return;
-    const [say, texts] = [this.#shell.service('notice'), this.#words];
-    const [chosen, present] = [ENCODING_NAMES[encoding], ENCODING_NAMES[file.encoding]];
+    const [notify, texts] = [this.#shell.service('notice'), this.#words];
+    const [chosen, current] = [ENCODING_NAMES[encoding], ENCODING_NAMES[file.encoding]];
     const answer = reread(editor.textWithLineEnds, file.encoding, encoding);
     switch (answer.kind) {
       case 'text':
-        this.#shell.take(programText(answer.text), { ...file, encoding }, 'same');
-        say(texts.rereadAs(chosen));
+        this.#shell.replaceProgram(programText(answer.text), { ...file, encoding }, 'same');
+        notify(texts.rereadAs(chosen));
         break;
-      case 'kept':
+      case 'unchanged':
         editor.file = { ...file, encoding };
-        say(texts.savedFromNowAs(chosen));
-        this.#shell.changed();
+        notify(texts.savedFromNowAs(chosen));
+        this.#shell.notifyFileChanged();
         break;
-      case 'not-this-encoding':
-        say(texts.notThisEncoding(file.name, chosen, present));
+      case 'invalid-encoding':
+        notify(texts.invalidEncoding(file.name, chosen, current));
         break;
-      case 'no-place':
-        say(texts.noPlace(answer.character, chosen, present));
+      case 'unencodable':
+        notify(texts.unencodable(answer.character, chosen, current));
         break;
     }
   }
@@ -153,9 +154,9 @@ const WORDS = words({
     encodingHint: 'The encoding the file is read in and saved in',
     rereadAs: (encoding: string) => `Read again as ${encoding}.`,
     savedFromNowAs: (encoding: string) => `The text stays as it is and will be saved as ${encoding}.`,
-    notThisEncoding: (name: string, chosen: string, present: string) =>
+    invalidEncoding: (name: string, chosen: string, present: string) =>
       `${name} is no ${chosen} text; it stays ${present}.`,
-    noPlace: (character: string, chosen: string, present: string) =>
+    unencodable: (character: string, chosen: string, present: string) =>
       `${chosen} has no place for “${character}”; the file stays ${present}.`,
     savedAsUtf8: (name: string, encoding: string, character: string) =>
       `${encoding} has no place for “${character}”: ${name} was saved as UTF-8.`,
@@ -170,8 +171,8 @@ const WORDS = words({
     encodingHint: '读取和保存此文件所用的编码',
     rereadAs: (encoding) => `已按 ${encoding} 重新读取。`,
     savedFromNowAs: (encoding) => `文本不变，将以 ${encoding} 保存。`,
-    notThisEncoding: (name, chosen, present) => `${name} 不是 ${chosen} 文本，仍为 ${present}。`,
-    noPlace: (character, chosen, present) => `${chosen} 中没有“${character}”，文件仍为 ${present}。`,
+    invalidEncoding: (name, chosen, present) => `${name} 不是 ${chosen} 文本，仍为 ${present}。`,
+    unencodable: (character, chosen, present) => `${chosen} 中没有“${character}”，文件仍为 ${present}。`,
     savedAsUtf8: (name, encoding, character) => `${encoding} 中没有“${character}”：${name} 已改用 UTF-8 保存。`,
   },
   ru: {
@@ -185,8 +186,8 @@ const WORDS = words({
     encodingHint: 'Кодировка, в которой файл читается и сохраняется',
     rereadAs: (encoding) => `Прочитано заново в кодировке ${encoding}.`,
     savedFromNowAs: (encoding) => `Текст остаётся как есть и будет сохранён в кодировке ${encoding}.`,
-    notThisEncoding: (name, chosen, present) => `Файл ${name} — не текст в кодировке ${chosen}; остаётся ${present}.`,
-    noPlace: (character, chosen, present) => `В кодировке ${chosen} нет знака «${character}»; остаётся ${present}.`,
+    invalidEncoding: (name, chosen, present) => `Файл ${name} — не текст в кодировке ${chosen}; остаётся ${present}.`,
+    unencodable: (character, chosen, present) => `В кодировке ${chosen} нет знака «${character}»; остаётся ${present}.`,
     savedAsUtf8: (name, encoding, character) =>
       `В кодировке ${encoding} нет знака «${character}»: файл ${name} сохранён в UTF-8.`,
   },

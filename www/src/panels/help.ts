@@ -2,7 +2,7 @@
 //
 // Must not know: which part handles a key.
 
-import { make, name } from '../dom/dom';
+import { make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import { allRulesLink, referenceLink } from '../editor/rule-link';
@@ -15,7 +15,7 @@ class Help implements Panel {
   readonly #shell: Shell;
   readonly #button = make('button', { type: 'button', className: 'help-button quiet', 'aria-haspopup': 'dialog' }, '?');
   readonly #element = make('div', { className: 'help', part: 'help', role: 'dialog', popover: 'auto' });
-  readonly places = { foot: [this.#button], dialogs: [this.#element] };
+  readonly elements = { foot: [this.#button], dialogs: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -24,16 +24,16 @@ class Help implements Panel {
 
   set language(language: Language) {
     const strings = WORDS[language];
-    name(this.#button, `${strings.help} (?)`);
+    setAccessibleName(this.#button, `${strings.help} (?)`);
     this.#element.setAttribute('aria-label', strings.helpTitle);
     const close = make('button', { type: 'button', className: 'quiet close' }, '×');
-    name(close, COMMON[language].close);
+    setAccessibleName(close, COMMON[language].close);
     close.addEventListener('click', () => this.#element.hidePopover());
     const keys = make('dl');
-    for (const [pressed, what] of strings.shortcuts) {
+    for (const [combinations, action] of strings.shortcuts) {
       const term = make('dt');
-      for (const [i, key] of pressed.split('  ').entries()) term.append(i > 0 ? ' ' : '', make('kbd', {}, key));
-      keys.append(term, make('dd', {}, what));
+      for (const [i, key] of combinations.split('  ').entries()) term.append(i > 0 ? ' ' : '', make('kbd', {}, key));
+      keys.append(term, make('dd', {}, action));
     }
     const codes = make('button', { type: 'button', className: 'framed', 'aria-haspopup': 'dialog' }, strings.codes);
     codes.addEventListener('click', () => {
@@ -50,10 +50,10 @@ class Help implements Panel {
     );
   }
 
-  pressed({ event, inside }: Key): 'own' | 'not-own' {
-    if (event.key !== '?' || inside !== 'elsewhere') return 'not-own';
+  onKey({ event, inside }: Key): 'handled' | 'ignored' {
+    if (event.key !== '?' || inside !== 'elsewhere') return 'ignored';
     this.#element.togglePopover();
-    return 'own';
+    return 'handled';
   }
 }
 

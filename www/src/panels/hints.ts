@@ -18,51 +18,53 @@ export const hints: PanelKind = { styles: hintsStyles, make: (shell) => new Hint
 
 class Hints implements Panel {
   readonly #host: Element;
-  readonly #shown: Readonly<Record<Name, Hint>>;
-  readonly places: Panel['places'];
+  readonly #hints: Readonly<Record<Name, Hint>>;
+  readonly elements: Panel['elements'];
 
   constructor(shell: Shell) {
     this.#host = shell.root.host;
-    this.#shown = { edit: this.#hint('edit'), play: this.#hint('play'), pick: this.#hint('pick') };
-    const { edit, play, pick } = this.#shown;
+    this.#hints = { edit: this.#hint('edit'), play: this.#hint('play'), pick: this.#hint('pick') };
+    const { edit, play, pick } = this.#hints;
     // These hints float over the pictures, so the pictures keep their size.
     const overPictures = make('div', { className: 'over-pictures' }, pick.element, play.element);
-    this.places = { notices: [edit.element], pictures: [overPictures] };
-    this.#host.addEventListener('gcode-change', () => this.#done('edit'));
-    this.#host.addEventListener('gcode-select', () => this.#done('pick'));
+    this.elements = { notices: [edit.element], pictures: [overPictures] };
+    this.#host.addEventListener('gcode-change', () => this.#finish('edit'));
+    this.#host.addEventListener('gcode-select', () => this.#finish('pick'));
     this.#show();
   }
 
   set language(language: Language) {
-    for (const name of NAMES) this.#shown[name].say(WORDS[language][name], WORDS[language].dismiss);
+    for (const name of NAMES) this.#hints[name].setTexts(WORDS[language][name], WORDS[language].dismiss);
   }
 
-  toolMoved(place: Readout | undefined): void {
-    if (place !== undefined) this.#done('play');
+  onToolMoved(place: Readout | undefined): void {
+    if (place !== undefined) this.#finish('play');
   }
 
   #hint(name: Name): Hint {
-    return new Hint(name, () => this.#done(name));
+    return new Hint(name, () => this.#finish(name));
   }
 
-  get #left(): readonly Name[] {
-    const left = (this.#host.getAttribute('hints') ?? '').split(' ');
-    return NAMES.filter((name) => left.includes(name));
+  get #remaining(): readonly Name[] {
+    const remaining = (this.#host.getAttribute('hints') ?? '').split(' ');
+    return NAMES.filter((name) => remaining.includes(name));
   }
 
-  #done(name: Name): void {
-    const before = this.#left;
+  #finish(name: Name): void {
+    const before = this.#remaining;
     if (!before.includes(name)) return;
-    const left = before.filter((other) => other !== name).join(' ');
-    this.#host.setAttribute('hints', left);
-    this.#host.dispatchEvent(new CustomEvent('gcode-hint', { detail: { left }, bubbles: true, composed: true }));
+    const remaining = before.filter((other) => other !== name).join(' ');
+    this.#host.setAttribute('hints', remaining);
+    this.#host.dispatchEvent(
+      new CustomEvent('gcode-hint', { detail: { left: remaining }, bubbles: true, composed: true }),
+    );
     this.#show();
   }
 
   /** Shows the next remaining hint. */
   #show(): void {
-    const [next] = this.#left;
-    for (const name of NAMES) this.#shown[name].element.hidden = name !== next;
+    const [next] = this.#remaining;
+    for (const name of NAMES) this.#hints[name].element.hidden = name !== next;
   }
 }
 
@@ -71,12 +73,12 @@ class Hint {
   readonly #text = make('p');
   readonly #dismiss = make('button', { type: 'button' });
 
-  constructor(name: Name, dismissed: () => void) {
+  constructor(name: Name, onDismiss: () => void) {
     this.element = make('div', { className: `hint at-${name}`, part: 'hint', role: 'note' }, this.#text, this.#dismiss);
-    this.#dismiss.addEventListener('click', dismissed);
+    this.#dismiss.addEventListener('click', onDismiss);
   }
 
-  say(text: string, dismiss: string): void {
+  setTexts(text: string, dismiss: string): void {
     this.#text.textContent = text;
     this.#dismiss.textContent = dismiss;
   }

@@ -1,16 +1,16 @@
 // The line that says that the stock is inferred and which checks were left out, and the button that applies that stock.
 //
-// In: which parts of the setup are given and which are inferred; the answers of the setup form. Out: `taken`: the form
-// with the stock filled in. Must not know: how a stock is inferred, or the contents of a setup besides the stock.
+// In: which parts of the setup are given and which are inferred; the answers of the setup form. Out: `onApplied`: the
+// form with the stock filled in. Must not know: how a stock is inferred, or the contents of a setup besides the stock.
 
 import { make } from '../dom/dom';
 import type { SetupOverview, SetupAnswer, SetupForm, SetupPlace } from '../protocol/protocol';
 import type { SetupEntries } from './setup-form';
 
-export interface InferredStockEvents {
+interface InferredStockEvents {
   form(): Promise<SetupForm | undefined>;
   read(entries: SetupEntries): Promise<SetupAnswer | undefined>;
-  taken(answer: SetupAnswer, place: SetupPlace): void;
+  onApplied(answer: SetupAnswer, place: SetupPlace): void;
 }
 
 export class InferredStock {
@@ -28,10 +28,10 @@ export class InferredStock {
 
   constructor(events: InferredStockEvents) {
     this.#events = events;
-    this.#use.addEventListener('click', () => void this.#take());
+    this.#use.addEventListener('click', () => void this.#apply());
   }
 
-  speak(inferred: string, use: string): void {
+  setTexts(inferred: string, use: string): void {
     this.#text.textContent = inferred;
     this.#use.textContent = use;
   }
@@ -41,19 +41,19 @@ export class InferredStock {
   }
 
   /** Fills the inferred stock into the form and stores the setup in its usual place. */
-  async #take(): Promise<void> {
+  async #apply(): Promise<void> {
     const form = await this.#events.form();
     if (form === undefined) return;
     const fields = form.groups.flatMap(({ group, fields }) => fields.map(({ key, value }) => ({ group, key, value })));
     const keys = fields.map(({ key }) => key);
     const texts = fields.map(({ value }) => value);
-    const asItIs = await this.#events.read({ keys, texts, keep: form.place });
-    if (asItIs === undefined) return;
-    const assumed = new Map(asItIs.fields.map((state) => [state.key, state.assumed]));
+    const current = await this.#events.read({ keys, texts, keep: form.place });
+    if (current === undefined) return;
+    const assumed = new Map(current.fields.map((state) => [state.key, state.assumed]));
     const filled = fields.map(({ group, key, value }) =>
       group === 'stock' && value === '' ? (assumed.get(key) ?? '') : value,
     );
     const answer = await this.#events.read({ keys, texts: filled, keep: form.place });
-    if (answer !== undefined) this.#events.taken(answer, form.place);
+    if (answer !== undefined) this.#events.onApplied(answer, form.place);
   }
 }

@@ -5,17 +5,17 @@
 // the tool. Of a long program only the rows around the tool are in the document; the arrow keys load more. Must not
 // know: the meaning of a motion.
 
-import { make, name, showText, unbroken } from '../dom/dom';
+import { make, setAccessibleName, setText, renderUnbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { Help, Readout, Stroke } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import type { NewestQuestion, Panel, PanelKind, Shell } from './panel';
 import motionsStyles from './motions.css?inline';
 
 /** Most rows in the document; the next page overlaps them by half. */
-const ROWS = 60;
-const PAGE = 10;
+const MAX_ROWS = 60;
+const PAGE_ROWS = 10;
 
 export const motions: PanelKind = { control: 'tools', styles: motionsStyles, make: (shell) => new MotionsPanel(shell) };
 
@@ -33,7 +33,7 @@ class MotionsPanel implements Panel {
   readonly #close = make('button', { type: 'button', className: 'quiet close' }, '×');
   readonly #keys = make('p', { className: 'keys', id: 'motions-keys' });
   /** What the block of the marked row does. */
-  readonly #does = make('p', { className: 'does', 'aria-live': 'polite' });
+  readonly #explanationText = make('p', { className: 'does', 'aria-live': 'polite' });
   readonly #head = make('tr', { role: 'row' });
   readonly #body = make('tbody', { role: 'rowgroup' });
   readonly #table = make(
@@ -52,7 +52,7 @@ class MotionsPanel implements Panel {
     this.#close,
     this.#keys,
     this.#scroller,
-    this.#does,
+    this.#explanationText,
   );
   /** Number of motions of the newest run. */
   #count = 0;
@@ -60,44 +60,44 @@ class MotionsPanel implements Panel {
   #first = 0;
   #rows: readonly Stroke[] = [];
   /** Content of the rows, as text, to compare. */
-  #shownAs = '';
+  #renderedKey = '';
   /** The motion that the tool is on. */
-  #at: number | undefined;
+  #toolMotion: number | undefined;
   /** The motion whose row can have the focus, and whether to focus it once it is rendered. */
-  #active = 0;
-  #focusing = false;
+  #activeMotion = 0;
+  #focusPending = false;
   /** The element that had the focus when the row was to be focused. */
-  #keysWantedAt: Element | null = null;
+  #focusBefore: Element | null = null;
   /** Describes the drawing to screen readers: says where its text is. */
-  readonly #about = make('span', { id: 'motions-about', hidden: true });
-  readonly places = { foot: [this.#button], dialogs: [this.#element, this.#about] };
+  readonly #description = make('span', { id: 'motions-about', hidden: true });
+  readonly elements = { foot: [this.#button], dialogs: [this.#element, this.#description] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#question = shell.newest('strokes', (rows) => this.#take(rows));
+    this.#question = shell.newest('strokes', (rows) => this.#showRows(rows));
     this.#explanation = shell.newest('help', (help) => this.#explain(help));
     this.#button.addEventListener('click', () => this.#toggle());
-    this.#close.addEventListener('click', () => this.#shut());
-    this.#element.addEventListener('keydown', (event) => this.#key(event));
+    this.#close.addEventListener('click', () => this.#closeTable());
+    this.#element.addEventListener('keydown', (event) => this.#handleKey(event));
     this.#body.addEventListener('click', (event) => {
       const row = (event.target as Element).closest('tr');
-      if (row !== null) this.#go(Number(row.getAttribute('aria-rowindex')) - 2);
+      if (row !== null) this.#goTo(Number(row.getAttribute('aria-rowindex')) - 2);
     });
-    this.#earlier.addEventListener('click', () => this.#show(this.#first - ROWS / 2));
-    this.#later.addEventListener('click', () => this.#show(this.#first + ROWS / 2));
+    this.#earlier.addEventListener('click', () => this.#requestRows(this.#first - MAX_ROWS / 2));
+    this.#later.addEventListener('click', () => this.#requestRows(this.#first + MAX_ROWS / 2));
   }
 
   set language(language: Language) {
     const texts = WORDS[language];
     this.#button.textContent = texts.motions;
     this.#button.title = texts.about;
-    this.#about.textContent = texts.described;
+    this.#description.textContent = texts.described;
     for (const drawing of this.#shell.region('pictures').querySelectorAll('[role=img]'))
-      drawing.setAttribute('aria-describedby', this.#about.id);
+      drawing.setAttribute('aria-describedby', this.#description.id);
     this.#title.textContent = texts.title;
     this.#keys.textContent = texts.keys;
     for (const element of [this.#element, this.#table]) element.setAttribute('aria-label', texts.title);
-    name(this.#close, COMMON[language].close);
+    setAccessibleName(this.#close, COMMON[language].close);
     this.#earlier.textContent = texts.earlier;
     this.#later.textContent = texts.later;
     this.#head.replaceChildren(
@@ -111,112 +111,115 @@ class MotionsPanel implements Panel {
     this.#button.disabled = !available;
   }
 
-  get #open(): boolean {
+  get #isOpen(): boolean {
     return this.#element.matches(':popover-open');
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind !== 'report') return;
     const { stage, summary } = event.report;
     if (stage === 'whole' || stage === 'path') {
       this.#count = summary.motions;
-      this.#at = undefined;
-      this.#active = Math.min(this.#active, Math.max(this.#count - 1, 0));
+      this.#toolMotion = undefined;
+      this.#activeMotion = Math.min(this.#activeMotion, Math.max(this.#count - 1, 0));
     } else if (stage === 'part') return;
     this.#rows = [];
-    if (this.#open) this.#show(this.#first);
+    if (this.#isOpen) this.#requestRows(this.#first);
   }
 
-  toolMoved(place: Readout | undefined): void {
-    this.#at = place?.stroke.motion;
-    if (this.#at !== undefined) this.#active = this.#at;
-    if (this.#open) this.#follow();
+  onToolMoved(place: Readout | undefined): void {
+    this.#toolMotion = place?.stroke.motion;
+    if (this.#toolMotion !== undefined) this.#activeMotion = this.#toolMotion;
+    if (this.#isOpen) this.#follow();
   }
 
   /** Opening moves the focus to the table, closing to the button. */
   #toggle(): void {
-    if (this.#open) return this.#shut();
+    if (this.#isOpen) return this.#closeTable();
     this.#shell.flush();
     this.#element.showPopover();
     this.#button.setAttribute('aria-expanded', 'true');
-    this.#wantKeys();
+    this.#focusRowWhenRendered();
     this.#follow();
   }
 
-  #shut(): void {
+  #closeTable(): void {
     this.#element.hidePopover();
     this.#button.setAttribute('aria-expanded', 'false');
     this.#rows = [];
     this.#body.replaceChildren();
-    this.#shownAs = '';
+    this.#renderedKey = '';
     this.#button.focus();
   }
 
-  #key(event: KeyboardEvent): void {
-    if (event.key === 'Escape') this.#shut();
+  #handleKey(event: KeyboardEvent): void {
+    if (event.key === 'Escape') this.#closeTable();
     else if ((event.target as Element).getAttribute('role') !== 'row' || event.ctrlKey || event.altKey || event.metaKey)
       return;
-    else if (event.key === 'Enter' || event.key === ' ') this.#go(this.#active);
+    else if (event.key === 'Enter' || event.key === ' ') this.#goTo(this.#activeMotion);
     else {
       const steps: Readonly<Record<string, number>> = {
         ArrowDown: 1,
         ArrowUp: -1,
-        PageDown: PAGE,
-        PageUp: -PAGE,
+        PageDown: PAGE_ROWS,
+        PageUp: -PAGE_ROWS,
         Home: -this.#count,
         End: this.#count,
       };
       const step = steps[event.key];
       if (step === undefined) return;
-      this.#wantKeys();
-      this.#go(Math.min(Math.max(this.#active + step, 0), this.#count - 1));
+      this.#focusRowWhenRendered();
+      this.#goTo(Math.min(Math.max(this.#activeMotion + step, 0), this.#count - 1));
     }
     event.preventDefault();
     event.stopPropagation();
   }
 
   /** Focuses the row of the tool once it is rendered, unless the user has moved the focus by then. */
-  #wantKeys(): void {
-    this.#keysWantedAt = this.#shell.root.activeElement;
-    this.#focusing = true;
+  #focusRowWhenRendered(): void {
+    this.#focusBefore = this.#shell.root.activeElement;
+    this.#focusPending = true;
   }
 
   /** Moves the tool to the end of a motion and keeps the focus in its row. */
-  #go(motion: number): void {
-    this.#active = motion;
+  #goTo(motion: number): void {
+    this.#activeMotion = motion;
     void this.#shell.service('goTo')(motion);
   }
 
   /** Loads the row of the tool and scrolls it into view. */
   #follow(): void {
-    const within = this.#active >= this.#first && this.#active < this.#first + this.#rows.length;
+    const within = this.#activeMotion >= this.#first && this.#activeMotion < this.#first + this.#rows.length;
     if (within) this.#mark();
-    else this.#show(this.#active - ROWS / 2);
+    else this.#requestRows(this.#activeMotion - MAX_ROWS / 2);
   }
 
   /** Asks for the rows from `first`. */
-  #show(first: number): void {
-    this.#first = Math.max(0, Math.min(first, this.#count - ROWS));
-    this.#question.ask({ first: this.#first, end: this.#first + ROWS });
+  #requestRows(first: number): void {
+    this.#first = Math.max(0, Math.min(first, this.#count - MAX_ROWS));
+    this.#question.ask({ first: this.#first, end: this.#first + MAX_ROWS });
   }
 
-  #take(rows: readonly Stroke[] | undefined): void {
+  #showRows(rows: readonly Stroke[] | undefined): void {
     // Another run has begun since; its report asks again.
-    if (rows === undefined || !this.#open) return;
+    if (rows === undefined || !this.#isOpen) return;
     this.#rows = rows;
     this.#first = rows[0]?.motion ?? 0;
-    this.#active = Math.min(Math.max(this.#active, this.#first), this.#first + Math.max(rows.length - 1, 0));
+    this.#activeMotion = Math.min(
+      Math.max(this.#activeMotion, this.#first),
+      this.#first + Math.max(rows.length - 1, 0),
+    );
     this.#table.setAttribute('aria-rowcount', String(this.#count + 1));
     this.#earlier.hidden = this.#first === 0;
     this.#later.hidden = this.#first + rows.length >= this.#count;
     // Unchanged rows are kept: the user may be pressing one.
-    const shownAs = JSON.stringify(rows);
-    if (shownAs !== this.#shownAs) {
+    const renderedKey = JSON.stringify(rows);
+    if (renderedKey !== this.#renderedKey) {
       const hadFocus = this.#body.contains(this.#shell.root.activeElement);
       this.#body.replaceChildren(...rows.map((row) => this.#row(row)));
-      this.#focusing ||= hadFocus;
+      this.#focusPending ||= hadFocus;
     }
-    this.#shownAs = shownAs;
+    this.#renderedKey = renderedKey;
     this.#mark();
   }
 
@@ -226,31 +229,31 @@ class MotionsPanel implements Panel {
       className: `swatch ${kind === 'arc' || kind === 'dwell' ? 'feed' : kind}`,
       'aria-hidden': 'true',
     });
-    const what = make('td', { role: 'gridcell' }, swatch, make('span', {}, ...unbroken(text)));
+    const what = make('td', { role: 'gridcell' }, swatch, make('span', {}, ...renderUnbroken(text)));
     return make('tr', { role: 'row', 'aria-rowindex': motion + 2, tabIndex: -1 }, ...cells, what);
   }
 
   /** Marks the row of the tool and the row that can have the focus. */
   #mark(): void {
     const focused = this.#shell.root.activeElement;
-    const hasGone = focused !== null && focused !== this.#keysWantedAt && !this.#body.contains(focused);
-    if (hasGone) this.#focusing = false;
+    const hasFocusMoved = focused !== null && focused !== this.#focusBefore && !this.#body.contains(focused);
+    if (hasFocusMoved) this.#focusPending = false;
     for (const row of this.#body.rows) {
       const motion = Number(row.getAttribute('aria-rowindex')) - 2;
-      row.tabIndex = motion === this.#active ? 0 : -1;
-      row.ariaSelected = String(motion === this.#at);
-      if (motion !== this.#active) continue;
-      if (this.#focusing) row.focus({ preventScroll: true });
+      row.tabIndex = motion === this.#activeMotion ? 0 : -1;
+      row.ariaSelected = String(motion === this.#toolMotion);
+      if (motion !== this.#activeMotion) continue;
+      if (this.#focusPending) row.focus({ preventScroll: true });
       row.scrollIntoView({ block: 'nearest' });
     }
-    this.#focusing = false;
-    this.#explanation.ask({ by: 'motions', about: 'motion', motion: this.#active });
+    this.#focusPending = false;
+    this.#explanation.ask({ by: 'motions', about: 'motion', motion: this.#activeMotion });
   }
 
   /** Changed only if the text differs, because a change is announced to screen readers. */
   #explain(help: Help | undefined): void {
-    if (help?.asked.about === 'motion' && help.asked.motion === this.#active)
-      showText(this.#does, help.explanation ?? '');
+    if (help?.request.about === 'motion' && help.request.motion === this.#activeMotion)
+      setText(this.#explanationText, help.explanation ?? '');
   }
 }
 

@@ -4,12 +4,12 @@
 // In: answers of the interpreter about the text, once the user has focused it. Out: the place to show. Must not know:
 // the meaning of a number, or the contents of the outline.
 
-import { icon, make, name } from '../dom/dom';
+import { icon, make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { UsesHelp } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
-import { late } from './late';
+import type { CoreEvent } from '../worker/core-client';
+import { loadPart } from './load-part';
 import type { OutlineDialog } from './outline-dialog';
 import {
   isInProgram,
@@ -29,9 +29,9 @@ export const navigation: PanelKind = {
 };
 
 /** Most places that are listed, including those next to the cursor. */
-const LISTED = 12;
+const MAX_LISTED = 12;
 /** Pause in typing, after which the panel asks for foldable ranges. */
-const PAUSE_MS = 400;
+const FOLD_DELAY_MS = 400;
 
 class Navigation implements Panel {
   readonly #shell: Shell;
@@ -42,85 +42,85 @@ class Navigation implements Panel {
   );
   readonly #section = make('div', { className: 'uses', hidden: true });
   readonly #question: NewestQuestion<'uses'>;
-  readonly #folds: NewestQuestion<'outline'>;
+  readonly #outlineQuestion: NewestQuestion<'outline'>;
   /** Loaded once the user focuses the text, or opens the outline. */
   #dialog: OutlineDialog | undefined;
   /** Whether the user has focused the text. Until then the panel asks no question. */
-  #wanted = false;
+  #hasFocusedText = false;
   /** The uses that are shown now. */
   #uses: UsesHelp | undefined;
   /** Those uses with the cursor and the language, as text, to compare. */
-  #shownAs = '';
+  #renderedKey = '';
   /** Offsets that the user came from, the newest last. */
-  #trail: number[] = [];
-  #pause: ReturnType<typeof setTimeout> | undefined;
-  readonly places = {};
+  #history: number[] = [];
+  #foldTimer: ReturnType<typeof setTimeout> | undefined;
+  readonly elements = {};
   readonly services: Partial<Services> = { outlineButton: () => this.#button, usesSection: () => this.#section };
 
   constructor(shell: Shell) {
     this.#shell = shell;
     this.#button.addEventListener('click', () => void this.#open());
     this.#question = shell.newest('uses', (uses) => this.#show(uses));
-    this.#folds = shell.newest('outline', (outline) => {
+    this.#outlineQuestion = shell.newest('outline', (outline) => {
       // Undefined if the text has changed since. The panel then asks again.
       if (outline !== undefined) shell.editor.foldable = outline.folds.map(([from, to]) => ({ from, to }));
     });
   }
 
   set language(language: Language) {
-    name(this.#button, `${WORDS[language].outline} (Ctrl Shift O)`);
+    setAccessibleName(this.#button, `${WORDS[language].outline} (Ctrl Shift O)`);
     if (this.#dialog !== undefined) this.#dialog.language = language;
     this.#show(this.#uses);
   }
 
-  get takesKeys(): boolean {
+  get capturesKeys(): boolean {
     return this.#dialog?.open ?? false;
   }
 
-  cursorMoved(): void {
-    if (!this.#wanted) {
-      this.#folds.ask(undefined);
+  onCursorMoved(): void {
+    if (!this.#hasFocusedText) {
+      this.#outlineQuestion.ask(undefined);
       // If loading fails, it is tried again when the outline is opened.
       this.#load().catch(() => undefined);
     }
-    this.#wanted = true;
+    this.#hasFocusedText = true;
     this.#ask();
   }
 
-  heard(event: Heard): void {
-    if (event.kind !== 'report' || !this.#wanted) return;
+  onEvent(event: CoreEvent): void {
+    if (event.kind !== 'report' || !this.#hasFocusedText) return;
     this.#ask();
-    clearTimeout(this.#pause);
-    this.#pause = setTimeout(() => this.#folds.ask(undefined), PAUSE_MS);
+    clearTimeout(this.#foldTimer);
+    this.#foldTimer = setTimeout(() => this.#outlineQuestion.ask(undefined), FOLD_DELAY_MS);
   }
 
-  outdated(): void {
-    this.#question.forget();
+  onInputChanged(): void {
+    this.#question.cancel();
   }
 
-  lost(): void {
-    this.left();
+  onWorkerLost(): void {
+    this.onDisconnected();
     this.#show(undefined);
   }
 
-  left(): void {
-    clearTimeout(this.#pause);
-    this.#question.forget();
-    this.#folds.forget();
+  onDisconnected(): void {
+    clearTimeout(this.#foldTimer);
+    this.#question.cancel();
+    this.#outlineQuestion.cancel();
   }
 
-  pressed(key: Key): 'own' | 'not-own' {
+  onKey(key: Key): 'handled' | 'ignored' {
     const { event } = key;
-    if (event.altKey) return 'not-own';
+    if (event.altKey) return 'ignored';
     const command = event.ctrlKey || event.metaKey;
     if (command && event.shiftKey && event.key.toLowerCase() === 'o') {
       void this.#open();
-      return 'own';
+      return 'handled';
     }
-    if (event.key !== 'F12' || command || !isInProgram(key, this.#shell)) return 'not-own';
-    if (event.shiftKey) this.#back();
+    if (event.key !== 'F12' || command || !isInProgram(key, this.#shell)) return 'ignored';
+    if (event.shiftKey) this.#goBack();
     else void this.#follow();
-    return 'own';
+    return 'handled';
   }
 
   #ask(): void {
@@ -134,48 +134,48 @@ class Navigation implements Panel {
     this.#shell.flush();
     const uses = await this.#shell.ask('uses', { offset: from });
     const place = uses?.places[uses.next];
-    if (uses === undefined || place === undefined) return this.#say(texts.noNumber);
-    if (place.from <= from && from <= place.to) return this.#say(texts.onlyHere(uses.name));
-    this.#go(from, place);
+    if (uses === undefined || place === undefined) return this.#notify(texts.noNumber);
+    if (place.from <= from && from <= place.to) return this.#notify(texts.onlyHere(uses.name));
+    this.#goTo(from, place);
   }
 
-  #back(): void {
-    const from = this.#trail.pop();
-    if (from === undefined) return this.#say(WORDS[this.#shell.language].noWayBack);
+  #goBack(): void {
+    const from = this.#history.pop();
+    if (from === undefined) return this.#notify(WORDS[this.#shell.language].noWayBack);
     this.#shell.goTo({ from, to: from });
   }
 
-  #go(before: number, { from, to }: { readonly from: number; readonly to: number }): void {
-    this.#trail.push(before);
+  #goTo(before: number, { from, to }: { readonly from: number; readonly to: number }): void {
+    this.#history.push(before);
     this.#shell.goTo({ from, to });
   }
 
   #show(uses: UsesHelp | undefined): void {
-    const isMarked = this.#uses !== undefined;
+    const wasMarked = this.#uses !== undefined;
     // A number with a single use leads nowhere.
     this.#uses = uses = (uses?.places.length ?? 0) < 2 ? undefined : uses;
     const places = uses?.places ?? [];
-    if (isMarked || places.length > 0) this.#shell.editor.uses = places;
+    if (wasMarked || places.length > 0) this.#shell.editor.uses = places;
     const here = this.#shell.editor.selection.from;
-    const shownAs = uses === undefined ? '' : JSON.stringify([this.#shell.language, here, uses]);
+    const renderedKey = uses === undefined ? '' : JSON.stringify([this.#shell.language, here, uses]);
     // If the content is unchanged, keep the buttons: the user may be pressing one.
-    if (shownAs === this.#shownAs) return;
-    this.#shownAs = shownAs;
+    if (renderedKey === this.#renderedKey) return;
+    this.#renderedKey = renderedKey;
     this.#section.hidden = uses === undefined;
     if (uses === undefined) return this.#section.replaceChildren();
     const texts = WORDS[this.#shell.language];
-    const own = places.findIndex(({ from, to }) => from <= here && here <= to);
-    const first = Math.max(0, Math.min(own - LISTED / 2, places.length - LISTED));
-    const shown = places.slice(first, first + LISTED);
+    const current = places.findIndex(({ from, to }) => from <= here && here <= to);
+    const first = Math.max(0, Math.min(current - MAX_LISTED / 2, places.length - MAX_LISTED));
+    const shown = places.slice(first, first + MAX_LISTED);
     const rest = places.length - shown.length;
     const links = shown.map((place, at) => {
       const button = make(
         'button',
-        { type: 'button', className: 'use', 'aria-current': first + at === own ? 'location' : 'false' },
+        { type: 'button', className: 'use', 'aria-current': first + at === current ? 'location' : 'false' },
         make('span', { className: 'use-line' }, String(place.line)),
         make(place.defines ? 'b' : 'span', { className: 'use-text', lang: 'en' }, place.text),
       );
-      button.addEventListener('click', () => this.#go(here, place));
+      button.addEventListener('click', () => this.#goTo(here, place));
       return make('li', {}, button);
     });
     const heading = make('h3', { className: 'at-cursor-heading' }, texts.usesOf(uses.name));
@@ -188,33 +188,33 @@ class Navigation implements Panel {
     const shell = this.#shell;
     // Pending edits must be part of the outline.
     shell.flush();
-    const asked = shell.ask('outline', undefined);
+    const pendingOutline = shell.ask('outline', undefined);
     const cursor = shell.editor.selection.from;
     const dialog = this.#dialog ?? (await this.#load());
     if (dialog === undefined) return;
-    dialog.begin();
-    const outline = await asked;
+    dialog.openEmpty();
+    const outline = await pendingOutline;
     if (outline === undefined) dialog.close();
     else dialog.show(outline, cursor);
   }
 
   async #load(): Promise<OutlineDialog | undefined> {
     const shell = this.#shell;
-    const part = await late(
+    const part = await loadPart(
       shell,
       () => import('./outline-dialog'),
       () => void this.#open(),
     );
     if (this.#dialog === undefined && part !== undefined) {
       this.#dialog = new part.OutlineDialog(shell.language, (offset) =>
-        this.#go(shell.editor.selection.from, { from: offset, to: shell.editor.endOfLine(offset) }),
+        this.#goTo(shell.editor.selection.from, { from: offset, to: shell.editor.endOfLine(offset) }),
       );
       shell.region('dialogs').append(this.#dialog.element);
     }
     return this.#dialog;
   }
 
-  #say(text: string): void {
+  #notify(text: string): void {
     this.#shell.service('notice')(text, 'editor');
   }
 }

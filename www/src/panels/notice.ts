@@ -3,27 +3,27 @@
 //
 // In: a text and its topic. Must not know: the caller.
 
-import { make, name } from '../dom/dom';
+import { make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { Panel, PanelKind, Remedy, Services, Topic } from './panel';
+import type { Panel, PanelKind, NoticeAction, Services, Topic } from './panel';
 import noticeStyles from './notice.css?inline';
 
 export const notice: PanelKind = { styles: noticeStyles, make: () => new Notice() };
 
 class Notice implements Panel {
-  readonly #news = new Line((act) => {
+  readonly #latest = new NoticeLine((act) => {
     this.#hide();
     act?.();
   });
-  readonly #missing = new Line((act) => act?.());
+  readonly #missing = new NoticeLine((act) => act?.());
   #topic: Topic | undefined;
-  readonly places = { notices: [this.#missing.element, this.#news.element] };
+  readonly elements = { notices: [this.#missing.element, this.#latest.element] };
   readonly services: Partial<Services> = {
-    notice: (text, topic = 'file', remedy) => {
-      if (topic === 'missing') return this.#missing.show(text, remedy);
+    notice: (text, topic = 'file', action) => {
+      if (topic === 'missing') return this.#missing.show(text, action);
       this.#topic = topic;
-      this.#news.show(text, remedy);
+      this.#latest.show(text, action);
     },
     // A notice of another topic remains.
     hideNotice: (topic) => {
@@ -33,39 +33,39 @@ class Notice implements Panel {
   };
 
   set language(language: Language) {
-    for (const line of [this.#missing, this.#news]) line.language = language;
+    for (const line of [this.#missing, this.#latest]) line.language = language;
   }
 
   #hide(): void {
     this.#topic = undefined;
-    this.#news.hide();
+    this.#latest.hide();
   }
 }
 
 /** A text, a button for its remedy, and a button that dismisses it. */
-class Line {
+class NoticeLine {
   readonly element = make('div', { className: 'notice', part: 'notice', role: 'alert', hidden: true });
   readonly #text = make('p');
-  readonly #remedy = make('button', { type: 'button', className: 'framed', hidden: true });
+  readonly #action = make('button', { type: 'button', className: 'framed', hidden: true });
   readonly #close = make('button', { type: 'button', className: 'quiet' }, '×');
   #act: (() => void) | undefined;
 
-  constructor(pressed: (act: (() => void) | undefined) => void) {
+  constructor(onAction: (act: (() => void) | undefined) => void) {
     this.#close.addEventListener('click', () => this.hide());
-    this.#remedy.addEventListener('click', () => pressed(this.#act));
-    this.element.append(this.#text, this.#remedy, this.#close);
+    this.#action.addEventListener('click', () => onAction(this.#act));
+    this.element.append(this.#text, this.#action, this.#close);
   }
 
   set language(language: Language) {
-    name(this.#close, WORDS[language].dismiss);
+    setAccessibleName(this.#close, WORDS[language].dismiss);
   }
 
-  show(text: string, remedy: Remedy | undefined): void {
+  show(text: string, action: NoticeAction | undefined): void {
     // The same text is not announced again.
     if (this.#text.textContent !== text) this.#text.textContent = text;
-    this.#remedy.hidden = remedy === undefined;
-    this.#remedy.textContent = remedy?.title ?? '';
-    this.#act = remedy?.act;
+    this.#action.hidden = action === undefined;
+    this.#action.textContent = action?.title ?? '';
+    this.#act = action?.act;
     this.element.hidden = false;
   }
 

@@ -11,14 +11,14 @@ import { COMMON, words } from '../dom/words';
 import type { OutlineEntry, OutlineHelp } from '../protocol/protocol';
 
 /** An entry of the list, with the lower-case text that the filter searches. */
-interface Listed {
+interface ListEntry {
   readonly element: HTMLElement;
   readonly from: number;
   readonly words: string;
 }
 
 export class OutlineDialog {
-  readonly #chosen: (offset: number) => void;
+  readonly #onChoose: (offset: number) => void;
   readonly #field = make('input', {
     type: 'search',
     autocomplete: 'off',
@@ -39,19 +39,19 @@ export class OutlineDialog {
   });
   readonly #dialog: Dialog;
   #language: Language;
-  #entries: readonly Listed[] = [];
-  #cut = false;
-  #active: Listed | undefined;
+  #entries: readonly ListEntry[] = [];
+  #isTruncated = false;
+  #active: ListEntry | undefined;
 
-  constructor(language: Language, chosen: (offset: number) => void) {
-    this.#chosen = chosen;
+  constructor(language: Language, onChoose: (offset: number) => void) {
+    this.#onChoose = onChoose;
     this.#dialog = new Dialog('outline', [
       make('label', { className: 'find' }, this.#caption, this.#field, this.#found),
       this.#list,
       this.#empty,
     ]);
-    this.#field.addEventListener('input', () => this.#find());
-    this.#field.addEventListener('keydown', (event) => this.#pressed(event));
+    this.#field.addEventListener('input', () => this.#applyFilter());
+    this.#field.addEventListener('keydown', (event) => this.#handleKey(event));
     this.#list.addEventListener('click', ({ target }) =>
       this.#choose(this.#entries.find(({ element }) => target instanceof Node && element.contains(target))),
     );
@@ -67,9 +67,9 @@ export class OutlineDialog {
   set language(language: Language) {
     this.#language = language;
     const texts = WORDS[language];
-    this.#dialog.name(texts.outline, COMMON[language].close);
+    this.#dialog.setTexts(texts.outline, COMMON[language].close);
     this.#caption.textContent = texts.filter;
-    if (this.open) this.#showWhatIsThere();
+    if (this.open) this.#showStatus();
   }
 
   get element(): HTMLElement {
@@ -81,7 +81,7 @@ export class OutlineDialog {
   }
 
   /** Opens the dialog with an empty list. */
-  begin(): void {
+  openEmpty(): void {
     if (!this.#dialog.show()) return;
     this.#field.value = '';
     this.#found.textContent = '';
@@ -91,10 +91,10 @@ export class OutlineDialog {
 
   /** Shows an outline. If the filter is empty, selects the entry that contains the cursor. */
   show({ entries, cut }: OutlineHelp, cursor: number): void {
-    this.#entries = entries.map((entry, at) => this.#listed(entry, at));
-    this.#cut = cut;
+    this.#entries = entries.map((entry, at) => this.#makeEntry(entry, at));
+    this.#isTruncated = cut;
     this.#list.replaceChildren(...this.#entries.map(({ element }) => element));
-    this.#find();
+    this.#applyFilter();
     if (this.#field.value === '')
       this.#setActive(this.#entries.filter(({ from }) => from <= cursor).at(-1) ?? this.#entries[0], 'center');
   }
@@ -103,7 +103,7 @@ export class OutlineDialog {
     this.#dialog.close();
   }
 
-  #listed({ kind, depth, from, line, name, detail }: OutlineEntry, at: number): Listed {
+  #makeEntry({ kind, depth, from, line, name, detail }: OutlineEntry, at: number): ListEntry {
     const place = make('span', { className: 'outline-line' }, String(line));
     const element = make(
       'div',
@@ -116,28 +116,29 @@ export class OutlineDialog {
     return { element, from, words: `${name} ${detail}`.toLowerCase() };
   }
 
-  get #shown(): readonly Listed[] {
+  get #visibleEntries(): readonly ListEntry[] {
     return this.#entries.filter(({ element }) => !element.hidden);
   }
 
   /** Shows the entries that contain all words of the filter. */
-  #find(): void {
-    const asked = this.#field.value.trim().toLowerCase().split(/\s+/);
-    for (const { element, words } of this.#entries) element.hidden = !asked.every((word) => words.includes(word));
-    this.#showWhatIsThere();
-    const shown = this.#shown;
+  #applyFilter(): void {
+    const terms = this.#field.value.trim().toLowerCase().split(/\s+/);
+    for (const { element, words } of this.#entries) element.hidden = !terms.every((word) => words.includes(word));
+    this.#showStatus();
+    const shown = this.#visibleEntries;
     this.#setActive(this.#active !== undefined && shown.includes(this.#active) ? this.#active : shown[0], 'nearest');
   }
 
-  #showWhatIsThere(): void {
+  #showStatus(): void {
     const texts = WORDS[this.#language];
-    const { length } = this.#shown;
+    const { length } = this.#visibleEntries;
     this.#found.textContent = this.#field.value.trim() === '' ? '' : texts.found(length);
-    this.#empty.hidden = length > 0 && !this.#cut;
-    this.#empty.textContent = this.#entries.length === 0 ? texts.nothing : this.#cut ? texts.cut : texts.notFound;
+    this.#empty.hidden = length > 0 && !this.#isTruncated;
+    this.#empty.textContent =
+      this.#entries.length === 0 ? texts.nothing : this.#isTruncated ? texts.cut : texts.notFound;
   }
 
-  #setActive(active: Listed | undefined, block: 'nearest' | 'center'): void {
+  #setActive(active: ListEntry | undefined, block: 'nearest' | 'center'): void {
     this.#active?.element.setAttribute('aria-selected', 'false');
     this.#active = active;
     if (active === undefined) return this.#field.removeAttribute('aria-activedescendant');
@@ -146,12 +147,12 @@ export class OutlineDialog {
     active.element.scrollIntoView({ block });
   }
 
-  #pressed(event: KeyboardEvent): void {
-    const shown = this.#shown;
+  #handleKey(event: KeyboardEvent): void {
+    const shown = this.#visibleEntries;
     const at = this.#active === undefined ? -1 : shown.indexOf(this.#active);
     const page = Math.max(1, Math.floor(this.#list.clientHeight / (this.#active?.element.offsetHeight || 28)) - 1);
-    const to = { ArrowDown: at + 1, ArrowUp: at - 1, PageDown: at + page, PageUp: at - page }[event.key];
-    if (to !== undefined) this.#setActive(shown[Math.min(Math.max(to, 0), shown.length - 1)], 'nearest');
+    const target = { ArrowDown: at + 1, ArrowUp: at - 1, PageDown: at + page, PageUp: at - page }[event.key];
+    if (target !== undefined) this.#setActive(shown[Math.min(Math.max(target, 0), shown.length - 1)], 'nearest');
     else if (event.key === 'Enter') this.#choose(this.#active);
     // In some browsers, Escape would only clear the field.
     else if (event.key === 'Escape') this.#dialog.close();
@@ -159,10 +160,10 @@ export class OutlineDialog {
     event.preventDefault();
   }
 
-  #choose(entry: Listed | undefined): void {
+  #choose(entry: ListEntry | undefined): void {
     if (entry === undefined) return;
     this.#dialog.close();
-    this.#chosen(entry.from);
+    this.#onChoose(entry.from);
   }
 }
 

@@ -7,14 +7,14 @@
 // and setup are stored, or how runs begin.
 
 import type { Language } from '../dom/language';
-import type { Span } from '../editor/holder';
+import type { Span } from '../editor/text-store';
 import type { Program } from '../editor/program';
 import type { ProgramFile, ProgramText } from '../editor/program-text';
 import type {
   Answer,
   Command,
   Diagnostic,
-  Exported,
+  ExportResult,
   ExportFormat,
   PictureName,
   Pictures,
@@ -27,7 +27,7 @@ import type {
   StepUnit,
   Stroke,
 } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 
 /**
  * Where panels are placed, in this order: the tabs of a narrow element; over, beside and under the editor; between the
@@ -65,51 +65,51 @@ export interface PanelKind {
 
 export interface Panel {
   /** The elements of this panel, by region. */
-  readonly places: { readonly [R in Region]?: readonly HTMLElement[] };
+  readonly elements: { readonly [R in Region]?: readonly HTMLElement[] };
   /** Sets the language of its texts: once after all panels are made, then with each change. */
   set language(language: Language);
   /** Whether there is a finished run with motions. Controls that need one are disabled until then. */
   available?: boolean;
   /** Whether an open dialog of this panel receives all keys. */
-  readonly takesKeys?: boolean;
+  readonly capturesKeys?: boolean;
   readonly services?: Partial<Services>;
 
   /** A key that no dialog handles. Returns whether the panel handled it. */
-  pressed?(key: Key): 'own' | 'not-own';
+  onKey?(key: Key): 'handled' | 'ignored';
   /** An event of the newest run. */
-  heard?(event: Heard): void;
+  onEvent?(event: CoreEvent): void;
   /** Pictures of the newest run. The panel owns the images. */
-  showPictures?(pictures: Pictures): void;
+  onPictures?(pictures: Pictures): void;
   /** The user has moved the cursor, or typed. */
-  cursorMoved?(): void;
+  onCursorMoved?(): void;
   /** The user has changed the values to try for variables. */
-  triedChanged?(): void;
+  onTrialChanged?(): void;
   /** The tool has moved; undefined: no tool is shown. */
-  toolMoved?(place: Readout | undefined): void;
+  onToolMoved?(place: Readout | undefined): void;
   /** Another program has replaced the current one. */
-  programReplaced?(): void;
+  onProgramReplaced?(): void;
   /** Text was inserted into the editor in one piece (not typed), between these offsets. */
-  textArrived?(from: number, to: number): void;
+  onTextInserted?(from: number, to: number): void;
   /** Show the program: it is about to get the focus. */
-  programWanted?(): void;
+  onShowProgram?(): void;
   /** The text belongs to another file, or the file's name or encoding has changed. */
-  fileChanged?(file: ProgramFile | undefined): void;
+  onFileChanged?(file: ProgramFile | undefined): void;
   /** The state of the switches in attributes and setup has changed. */
-  switched?(set: SwitchesSet): void;
+  onSwitchesChanged?(set: SwitchState): void;
   /** The theme or the system colours have changed. */
-  coloursChanged?(): void;
+  onColoursChanged?(): void;
   /** Text or setup has changed: results of the previous run must not be combined with them. */
-  outdated?(): void;
+  onInputChanged?(): void;
   /** The newest run has begun. */
-  begun?(): void;
+  onRunStarted?(): void;
   /** The newest run failed, or something that it needs could not be loaded: there will be no report. */
-  unreported?(): void;
+  onRunFailed?(): void;
   /** A new worker is connected. It has no state yet. */
-  connected?(send: (command: Command) => void): void;
+  onWorkerConnected?(send: (command: Command) => void): void;
   /** The worker was lost, with all results of the run. */
-  lost?(): void;
+  onWorkerLost?(): void;
   /** The element was removed from the document. */
-  left?(): void;
+  onDisconnected?(): void;
 }
 
 /** A key press, and whether the focus was in a text field. */
@@ -119,7 +119,7 @@ export interface Key {
 }
 
 /** State of the switches of the operator's panel. */
-export interface SwitchesSet {
+export interface SwitchState {
   /** Block skip levels that are on. */
   readonly blockSkip: readonly number[];
   /** The O number of the program to run; undefined: the first one of the text. */
@@ -132,7 +132,7 @@ export function isInProgram({ inside }: Key, { root }: Shell): boolean {
 }
 
 /** A point in the window, CSS pixels. */
-export interface ClientPlace {
+export interface ClientPoint {
   readonly clientX: number;
   readonly clientY: number;
 }
@@ -140,17 +140,17 @@ export interface ClientPlace {
 /**
  * Topics of notices. The next run hides `program`. `missing` has a separate line, which remains until everything works.
  */
-export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'editor' | 'source' | 'late' | 'missing';
+export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'editor' | 'source' | 'loading' | 'missing';
 
 /** A button of a notice that fixes its cause. */
-export interface Remedy {
+export interface NoticeAction {
   readonly title: string;
   act(): void;
 }
 
 /** Functions that a panel offers to other panels, to the shell, or to the host page. */
 export interface Services {
-  notice(text: string, topic?: Topic, remedy?: Remedy): void;
+  notice(text: string, topic?: Topic, action?: NoticeAction): void;
   hideNotice(topic: Topic): void;
   play(): void;
   pause(): void;
@@ -170,9 +170,9 @@ export interface Services {
   openFile(file: File): Promise<void>;
   saveFile(): void;
   /** A file as the menu "Export" makes it, without saving it; undefined if there is no worker. */
-  exported(format: ExportFormat): Promise<Exported | undefined>;
+  exported(format: ExportFormat): Promise<ExportResult | undefined>;
   /** Converts a place of a picture, as in the question `locate`, to a point in the window. */
-  locate(picture: PictureName, ...place: readonly [number, number]): Promise<ClientPlace>;
+  locate(picture: PictureName, ...place: readonly [number, number]): Promise<ClientPoint>;
   /** Shows only these pictures. */
   showOnly(pictures: readonly PictureName[]): void;
   /** Keeps the current part, to compare later ones with it. */
@@ -189,18 +189,18 @@ export interface Services {
   /** The button that shows the machine of the program. */
   machineButton(): HTMLElement;
   /** The user's default setup for new programs, JSON. */
-  ownSetup(): string | null;
+  defaultSetup(): string | null;
   /**
    * Changes a setting in the program or in the page, depending on where the setup is stored. If the value is missing,
    * opens the form for the user to enter it.
    */
-  takeSetting(setting: Setting): void;
+  applySetting(setting: Setting): void;
 }
 
-/** Sends only the newest value, see `Newest`. Continues with the next worker if one is lost. */
+/** Sends only the newest value, see `LatestQuestion`. Continues with the next worker if one is lost. */
 export interface NewestQuestion<K extends QuestionKind> {
-  ask(ask: Questions[K]['ask']): void;
-  forget(): void;
+  ask(ask: Questions[K]['args']): void;
+  cancel(): void;
 }
 
 export interface Shell {
@@ -221,35 +221,35 @@ export interface Shell {
   // ---- the worker: it receives all pending changes before each message ----
   send(command: Command): void;
   /** Resolves to undefined if there is no worker; never resolves if the worker is lost. */
-  ask<K extends QuestionKind>(about: K, ask: Questions[K]['ask']): Promise<Answer<K> | undefined>;
+  ask<K extends QuestionKind>(about: K, ask: Questions[K]['args']): Promise<Answer<K> | undefined>;
   newest<K extends QuestionKind>(about: K, answered: (answer: Answer<K>) => void): NewestQuestion<K>;
 
   // ---- the program ----
   /** Runs pending edits now. */
   flush(): void;
   /** A panel has edited the text: runs it now and fires `gcode-change`. */
-  edited(): void;
+  commitEdit(): void;
   /** Replaces the text with the same program in another notation. Undo restores the previous text. */
   rewrite(text: string): void;
   /** Replaces the program in the editor. With `another`, also removes the setup of the previous program. */
-  take(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void;
+  replaceProgram(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void;
   /** The program's file or encoding has changed: fires `gcode-change`. */
-  changed(): void;
+  notifyFileChanged(): void;
   /** Marks the next change of the text as inserted in one piece, not typed. */
-  cameAtOnce(): void;
+  markAsInserted(): void;
   /** Selects a place of the program and focuses the editor. */
   goTo(span: Span): void;
   /** The user has chosen a stroke: selects its block. */
-  choose(stroke: Stroke, focus: 'focus' | 'keep-focus'): void;
+  chooseStroke(stroke: Stroke, focus: 'focus' | 'keep-focus'): void;
   /** The user has chosen a problem: selects its word, and marks its block and its stroke. */
   chooseProblem(problem: Diagnostic): void;
   /** Tells all panels where the tool is. */
-  toolMoved(place: Readout | undefined): void;
+  notifyToolMoved(place: Readout | undefined): void;
 
   // ---- the setup ----
   /** JSON, as in the attribute. */
   readonly setup: string | null;
   changeSetup(setup: string | null): void;
   /** The user has changed a switch; `switches` are the new attributes. */
-  turn(switches: { readonly blockSkip?: string; readonly program?: string }): void;
+  setSwitches(switches: { readonly blockSkip?: string; readonly program?: string }): void;
 }

@@ -1,8 +1,8 @@
 // The programs found in a text: a list of them, and the chosen one cleaned. Every change is marked, and the dialog asks
 // about ambiguous ones.
 //
-// In: the list, and the pieces of the chosen program. Out: `chosen` (asks for the pieces of a program) and `taken` with
-// its text. Must not know: how programs are found, or where the text goes.
+// In: the list, and the pieces of the chosen program. Out: `onChoose` (asks for the pieces of a program) and `onApply`
+// with its text. Must not know: how programs are found, or where the text goes.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
@@ -11,24 +11,24 @@ import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
 import type { FoundPiece, FoundProgram, FoundPrograms } from '../protocol/protocol';
 
-export interface PasteDialogEvents {
-  chosen(program: number): void;
-  taken(text: string): void;
+interface PasteDialogEvents {
+  onChoose(program: number): void;
+  onApply(text: string): void;
 }
 
 export class PasteDialog {
   readonly #events: PasteDialogEvents;
   readonly #list = make('div', { className: 'found-programs', role: 'radiogroup' });
   readonly #shown = make('div', { className: 'text cleaned', tabIndex: 0, role: 'region', lang: 'en' });
-  readonly #what = make('ul', { className: 'what' });
+  readonly #reasons = make('ul', { className: 'what' });
   readonly #summary = make('summary');
-  readonly #details = make('details', { className: 'changes' }, this.#summary, this.#what);
+  readonly #details = make('details', { className: 'changes' }, this.#summary, this.#reasons);
   readonly #allMinus = make('button', { type: 'button', className: 'framed' });
-  readonly #take = make('button', { type: 'button', className: 'framed take' });
+  readonly #applyButton = make('button', { type: 'button', className: 'framed take' });
   readonly #dialog: Dialog;
   #language: Language;
   #found: FoundPrograms | undefined;
-  #how: 'arrived' | 'asked' = 'asked';
+  #trigger: 'inserted' | 'requested' = 'requested';
   #program = 0;
   #pieces: readonly FoundPiece[] = [];
   /** For each piece with a question, the number of the chosen answer. */
@@ -37,13 +37,13 @@ export class PasteDialog {
   constructor(language: Language, events: PasteDialogEvents) {
     this.#language = language;
     this.#events = events;
-    this.#dialog = new Dialog('paste', [this.#list, this.#shown, this.#details], [this.#take, this.#allMinus]);
-    this.#take.addEventListener('click', () => {
+    this.#dialog = new Dialog('paste', [this.#list, this.#shown, this.#details], [this.#applyButton, this.#allMinus]);
+    this.#applyButton.addEventListener('click', () => {
       const text = this.#text();
       this.#dialog.close();
-      this.#events.taken(text);
+      this.#events.onApply(text);
     });
-    this.#allMinus.addEventListener('click', () => this.#answerAll());
+    this.#allMinus.addEventListener('click', () => this.#chooseAllMinus());
     this.element.addEventListener('close', () => {
       this.#found = undefined;
       this.#pieces = [];
@@ -55,7 +55,7 @@ export class PasteDialog {
   set language(language: Language) {
     this.#language = language;
     const texts = WORDS[language];
-    this.#take.textContent = texts.take;
+    this.#applyButton.textContent = texts.apply;
     this.#allMinus.textContent = texts.allMinus;
     this.#summary.textContent = texts.what;
     this.#list.setAttribute('aria-label', texts.list);
@@ -63,7 +63,7 @@ export class PasteDialog {
     if (this.#found === undefined) return;
     this.#showName();
     this.#showList(this.#found);
-    this.#events.chosen(this.#program);
+    this.#events.onChoose(this.#program);
   }
 
   get element(): HTMLElement {
@@ -74,16 +74,16 @@ export class PasteDialog {
     return this.#dialog.open;
   }
 
-  /** `how`: the text has just arrived, or the user opened the dialog. */
-  show(found: FoundPrograms, how: 'arrived' | 'asked'): void {
+  /** `trigger`: the text has just arrived, or the user opened the dialog. */
+  show(found: FoundPrograms, trigger: 'inserted' | 'requested'): void {
     this.#found = found;
-    this.#how = how;
+    this.#trigger = trigger;
     this.#program = 0;
     this.#showName();
     this.#showList(found);
     this.showPieces(0, []);
     this.#dialog.show();
-    this.#events.chosen(0);
+    this.#events.onChoose(0);
     this.#list.querySelector('input')?.focus();
   }
 
@@ -92,13 +92,13 @@ export class PasteDialog {
     if (program !== this.#program) return;
     this.#pieces = pieces;
     this.#answers.clear();
-    const rows = pieces.map((piece, at) => this.#piece(piece, at));
+    const rows = pieces.map((piece, at) => this.#renderPiece(piece, at));
     this.#shown.replaceChildren(...rows.flat());
     this.#shown.scrollTop = 0;
     this.#allMinus.hidden = this.#minusAnswers().length < 2;
     const reasons = new Map<string, number>();
     for (const { reason } of pieces) if (reason !== '') reasons.set(reason, (reasons.get(reason) ?? 0) + 1);
-    this.#what.replaceChildren(
+    this.#reasons.replaceChildren(
       ...[...reasons].map(([reason, count]) => make('li', {}, count > 1 ? `${reason} (${count})` : reason)),
     );
     this.#details.hidden = reasons.size === 0;
@@ -106,23 +106,23 @@ export class PasteDialog {
 
   #showName(): void {
     const { title, asItIs } = WORDS[this.#language];
-    this.#dialog.name(title, this.#how === 'arrived' ? asItIs : COMMON[this.#language].close);
+    this.#dialog.setTexts(title, this.#trigger === 'inserted' ? asItIs : COMMON[this.#language].close);
   }
 
   #showList(found: FoundPrograms): void {
     const texts = WORDS[this.#language];
     const about = texts.about(found.programs.length);
     this.#dialog.about = found.more > 0 ? `${about} ${texts.more(found.more)}` : about;
-    this.#list.replaceChildren(...found.programs.map((program, at) => this.#row(program, at)));
+    this.#list.replaceChildren(...found.programs.map((program, at) => this.#renderRow(program, at)));
   }
 
-  #row(program: FoundProgram, at: number): HTMLElement {
+  #renderRow(program: FoundProgram, at: number): HTMLElement {
     const texts = WORDS[this.#language];
     const lines = texts.lines(program.firstLine, program.lastLine);
     const input = make('input', { type: 'radio', name: 'found', checked: at === this.#program });
     input.addEventListener('change', () => {
       this.#program = at;
-      this.#events.chosen(at);
+      this.#events.onChoose(at);
     });
     const facts = [
       program.name === '' ? '' : lines,
@@ -139,18 +139,18 @@ export class PasteDialog {
     );
   }
 
-  #piece({ was, now, reason, choices }: FoundPiece, at: number): (Node | string)[] {
+  #renderPiece({ was, now, reason, choices }: FoundPiece, at: number): (Node | string)[] {
     if (reason === '') return [now];
-    if (choices.length > 1) return [this.#question(choices, reason, at)];
-    const marked: (Node | string)[] = [];
-    if (was !== '') marked.push(make('del', { title: reason }, was));
+    if (choices.length > 1) return [this.#renderQuestion(choices, reason, at)];
+    const rendered: (Node | string)[] = [];
+    if (was !== '') rendered.push(make('del', { title: reason }, was));
     // A new line is visible without a mark; other additions are marked.
-    if (now.trim() === '') marked.push(now);
-    else marked.push(...(now.startsWith(' ') ? [' '] : []), make('ins', { title: reason }, now.trimStart()));
-    return marked;
+    if (now.trim() === '') rendered.push(now);
+    else rendered.push(...(now.startsWith(' ') ? [' '] : []), make('ins', { title: reason }, now.trimStart()));
+    return rendered;
   }
 
-  #question(choices: readonly string[], reason: string, at: number): HTMLElement {
+  #renderQuestion(choices: readonly string[], reason: string, at: number): HTMLElement {
     const rows = choices.map((choice, number) => {
       const input = make('input', {
         type: 'radio',
@@ -172,7 +172,7 @@ export class PasteDialog {
     });
   }
 
-  #answerAll(): void {
+  #chooseAllMinus(): void {
     for (const { at, number } of this.#minusAnswers()) {
       this.#answers.set(at, number);
       const input = this.#shown.querySelector<HTMLInputElement>(`input[name="question-${at}"][value="${number}"]`);
@@ -218,7 +218,7 @@ const WORDS = words({
     what: 'What was changed',
     asPrinted: (text: string) => `${text} as printed`,
     allMinus: 'All of these negative',
-    take: 'Take this program',
+    apply: 'Take this program',
     asItIs: 'Paste as it is',
   },
   zh: {
@@ -234,7 +234,7 @@ const WORDS = words({
     what: '修改内容',
     asPrinted: (text) => `${text}（按原文）`,
     allMinus: '全部取负值',
-    take: '采用此程序',
+    apply: '采用此程序',
     asItIs: '原样粘贴',
   },
   ru: {
@@ -251,7 +251,7 @@ const WORDS = words({
     what: 'Что изменено',
     asPrinted: (text) => `${text}, как напечатано`,
     allMinus: 'Все со знаком минус',
-    take: 'Принять эту программу',
+    apply: 'Принять эту программу',
     asItIs: 'Вставить как есть',
   },
 });

@@ -7,7 +7,7 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import { late } from './late';
+import { loadPart } from './load-part';
 import type { Panel, PanelKind, Shell } from './panel';
 import type { PasteDialog } from './paste-dialog';
 import pasteStyles from './paste.css?inline';
@@ -16,9 +16,9 @@ import pasteStyles from './paste.css?inline';
  * Longest text, UTF-16 units, that is searched automatically: a longer one is usually a program, and the search would
  * take a while.
  */
-const SEARCHED = 1_000_000;
+const MAX_AUTO_SEARCH_LENGTH = 1_000_000;
 /** Shortest text, UTF-16 units, that is searched: a shorter one is a word or two. */
-const WORTH_SEARCHING = 12;
+const MIN_SEARCH_LENGTH = 12;
 
 export const paste: PanelKind = {
   control: 'file',
@@ -39,11 +39,11 @@ class Paste implements Panel {
   /** Range of the text that was searched. */
   #range: { readonly from: number; readonly to: number } | undefined;
 
-  readonly places = { foot: [this.#button] };
+  readonly elements = { foot: [this.#button] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#button.addEventListener('click', () => void this.#search(0, shell.editor.length, 'asked'));
+    this.#button.addEventListener('click', () => void this.#search(0, shell.editor.length, 'requested'));
   }
 
   set language(language: Language) {
@@ -54,63 +54,63 @@ class Paste implements Panel {
     if (this.#dialog !== undefined) this.#dialog.language = language;
   }
 
-  get takesKeys(): boolean {
+  get capturesKeys(): boolean {
     return this.#dialog?.open ?? false;
   }
 
-  textArrived(from: number, to: number): void {
-    if (to - from >= WORTH_SEARCHING && to - from <= SEARCHED) void this.#search(from, to, 'arrived');
+  onTextInserted(from: number, to: number): void {
+    if (to - from >= MIN_SEARCH_LENGTH && to - from <= MAX_AUTO_SEARCH_LENGTH) void this.#search(from, to, 'inserted');
   }
 
-  async #search(from: number, to: number, how: 'arrived' | 'asked'): Promise<void> {
+  async #search(from: number, to: number, trigger: 'inserted' | 'requested'): Promise<void> {
     const { editor } = this.#shell;
     const { revision } = editor;
     const found = await this.#shell.ask('programs-in', { text: editor.textBetween(from, to) });
     // The text was edited in the meantime.
-    if (found === undefined || editor.revision !== revision || this.takesKeys) return;
+    if (found === undefined || editor.revision !== revision || this.capturesKeys) return;
     const texts = WORDS[this.#shell.language];
-    if (how === 'arrived' && found.review === 'nothing') return;
-    if (how === 'arrived' && found.review === 'few-characters') {
+    if (trigger === 'inserted' && found.review === 'nothing') return;
+    if (trigger === 'inserted' && found.review === 'few-characters') {
       // The run of the new text would hide the notice, so begin it first.
       this.#shell.flush();
-      const remedy = { title: texts.look, act: () => void this.#search(from, to, 'asked') };
-      return this.#shell.service('notice')(texts.fewCharacters, 'program', remedy);
+      const action = { title: texts.clean, act: () => void this.#search(from, to, 'requested') };
+      return this.#shell.service('notice')(texts.fewCharacters, 'program', action);
     }
-    if (found.programs.length === 0) return this.#say(found.tooLong ? texts.tooLong : texts.none);
-    const part = await late(
+    if (found.programs.length === 0) return this.#notify(found.tooLong ? texts.tooLong : texts.none);
+    const part = await loadPart(
       this.#shell,
       () => import('./paste-dialog'),
-      () => void this.#search(0, editor.length, 'asked'),
+      () => void this.#search(0, editor.length, 'requested'),
     );
     // The text was edited, or searched again, while the dialog was loading.
-    if (part === undefined || editor.revision !== revision || this.takesKeys) return;
+    if (part === undefined || editor.revision !== revision || this.capturesKeys) return;
     this.#range = { from, to };
     if (this.#dialog === undefined) {
       this.#dialog = new part.PasteDialog(this.#shell.language, {
-        chosen: (program) => void this.#choose(program),
-        taken: (text) => this.#take(text),
+        onChoose: (program) => void this.#showPieces(program),
+        onApply: (text) => this.#apply(text),
       });
       this.#shell.region('dialogs').append(this.#dialog.element);
     }
-    this.#dialog.show(found, how);
+    this.#dialog.show(found, trigger);
   }
 
-  async #choose(program: number): Promise<void> {
+  async #showPieces(program: number): Promise<void> {
     const pieces = await this.#shell.ask('pieces-of', { program, language: this.#shell.language });
     if (pieces !== undefined) this.#dialog?.showPieces(program, pieces);
   }
 
-  #take(text: string): void {
+  #apply(text: string): void {
     if (this.#range === undefined) return;
     const { from, to } = this.#range;
     const { editor, language } = this.#shell;
-    this.#shell.cameAtOnce();
+    this.#shell.markAsInserted();
     editor.change([{ from, to, text }]);
-    this.#say(WORDS[language].taken);
+    this.#notify(WORDS[language].applied);
     editor.focus();
   }
 
-  #say(text: string): void {
+  #notify(text: string): void {
     this.#shell.service('notice')(text, 'program');
   }
 }
@@ -124,8 +124,8 @@ const WORDS = words({
     none: 'No program was found in this text.',
     tooLong: 'The text is too long to be searched for programs.',
     fewCharacters: 'There are characters in this text that do not belong in a program.',
-    look: 'Clean it…',
-    taken: 'The program took the place of the text. Undo brings it back.',
+    clean: 'Clean it…',
+    applied: 'The program took the place of the text. Undo brings it back.',
   },
   zh: {
     button: '程序…',
@@ -134,8 +134,8 @@ const WORDS = words({
     none: '文本中没有找到程序。',
     tooLong: '文本过长，无法查找程序。',
     fewCharacters: '文本中有不属于程序的字符。',
-    look: '清理…',
-    taken: '程序已替换文本。可用撤销恢复。',
+    clean: '清理…',
+    applied: '程序已替换文本。可用撤销恢复。',
   },
   ru: {
     button: 'Программы…',
@@ -144,7 +144,7 @@ const WORDS = words({
     none: 'Программ в этом тексте не найдено.',
     tooLong: 'Текст слишком длинный для поиска программ.',
     fewCharacters: 'В этом тексте есть знаки, которым не место в программе.',
-    look: 'Очистить…',
-    taken: 'Программа заменила текст. Отмена вернёт его.',
+    clean: 'Очистить…',
+    applied: 'Программа заменила текст. Отмена вернёт его.',
   },
 });

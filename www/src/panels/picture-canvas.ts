@@ -7,61 +7,63 @@
 import { make } from '../dom/dom';
 
 /** Margin of the viewport within which a picture keeps its full size, relative to the window. */
-const NEAR = '100%';
+const VIEWPORT_MARGIN = '100%';
 /** Pixels of the picture for one pixel of the copy, in each direction. */
-const COARSER = 2;
-const REST_AFTER_MS = 1_000;
+const COPY_SCALE = 2;
+const SHRINK_AFTER_MS = 1_000;
 
 export class PictureCanvas {
   readonly element = make('canvas', { tabIndex: 0, role: 'img', part: 'canvas' });
   readonly #context = this.element.getContext('bitmaprenderer');
-  readonly #wanted: () => void;
+  readonly #requestPicture: () => void;
   #isFar = false;
   /** Number of images shown. A copy of an earlier image is discarded. */
-  #shown = 0;
+  #imageCount = 0;
   #isCopy = false;
-  #rest: ReturnType<typeof setTimeout> | undefined;
+  #shrinkTimer: ReturnType<typeof setTimeout> | undefined;
 
-  /** `wanted` is called to request the same picture again. */
-  constructor(wanted: () => void) {
-    this.#wanted = wanted;
-    new IntersectionObserver((entries) => this.#moved(entries.at(-1)), { rootMargin: NEAR }).observe(this.element);
+  /** `requestPicture` is called to request the same picture again. */
+  constructor(requestPicture: () => void) {
+    this.#requestPicture = requestPicture;
+    new IntersectionObserver((entries) => this.#onIntersection(entries.at(-1)), {
+      rootMargin: VIEWPORT_MARGIN,
+    }).observe(this.element);
   }
 
   /** Shows a picture in place of the previous one. */
   show(image: ImageBitmap): void {
-    this.#put(image);
+    this.#transfer(image);
     this.#isCopy = false;
-    this.#restSoon();
+    this.#scheduleShrink();
   }
 
-  #put(image: ImageBitmap): void {
+  #transfer(image: ImageBitmap): void {
     const [{ element: canvas }, { width, height }] = [this, image];
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     this.#context?.transferFromImageBitmap(image);
-    this.#shown++;
+    this.#imageCount++;
   }
 
-  #moved(entry: IntersectionObserverEntry | undefined): void {
+  #onIntersection(entry: IntersectionObserverEntry | undefined): void {
     if (entry === undefined) return;
     // A hidden picture, for example on another tab, is not far.
     this.#isFar = !entry.isIntersecting && entry.boundingClientRect.width > 0;
-    this.#restSoon();
+    this.#scheduleShrink();
     if (this.#isFar || !this.#isCopy) return;
     this.#isCopy = false;
-    this.#wanted();
+    this.#requestPicture();
   }
 
-  #restSoon(): void {
-    clearTimeout(this.#rest);
-    if (this.#isFar && !this.#isCopy && this.#shown > 0)
-      this.#rest = setTimeout(() => void this.#keepCopy(), REST_AFTER_MS);
+  #scheduleShrink(): void {
+    clearTimeout(this.#shrinkTimer);
+    if (this.#isFar && !this.#isCopy && this.#imageCount > 0)
+      this.#shrinkTimer = setTimeout(() => void this.#shrink(), SHRINK_AFTER_MS);
   }
 
-  async #keepCopy(): Promise<void> {
+  async #shrink(): Promise<void> {
     const { element: canvas } = this;
-    const size = (pixels: number): number => Math.max(Math.ceil(pixels / COARSER), 1);
-    const before = this.#shown;
+    const size = (pixels: number): number => Math.max(Math.ceil(pixels / COPY_SCALE), 1);
+    const before = this.#imageCount;
     // If the browser cannot make a copy, the picture keeps its full size.
     const copy = await createImageBitmap(canvas, {
       resizeWidth: size(canvas.width),
@@ -69,8 +71,8 @@ export class PictureCanvas {
       resizeQuality: 'medium',
     }).catch(() => undefined);
     if (copy === undefined) return;
-    if (!this.#isFar || this.#isCopy || this.#shown !== before) return copy.close();
-    this.#put(copy);
+    if (!this.#isFar || this.#isCopy || this.#imageCount !== before) return copy.close();
+    this.#transfer(copy);
     this.#isCopy = true;
   }
 }

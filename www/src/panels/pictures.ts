@@ -18,21 +18,21 @@ import {
   type Stroke,
   type Summary,
 } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import { dimensionText } from './dimension';
 import { Drawing, type DrawingEvents } from './drawing';
-import type { ClientPlace, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
+import type { ClientPoint, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
 import picturesStyles from './pictures.css?inline';
 
 /** The pointer must rest for this time, ms, before the page asks what its block does. */
-const REST = 150;
+const EXPLAIN_AFTER_MS = 150;
 
 export const pictures: PanelKind = { styles: picturesStyles, make: (shell) => new Pictures(shell) };
 
 class Pictures implements Panel {
   readonly #shell: Shell;
   readonly #drawings: Readonly<Record<PictureName, Drawing>>;
-  readonly places: Panel['places'];
+  readonly elements: Panel['elements'];
   readonly services: Partial<Services> = {
     showOnly: (pictures) => {
       for (const picture of PICTURES) this.#drawings[picture].element.hidden = !pictures.includes(picture);
@@ -41,51 +41,51 @@ class Pictures implements Panel {
     locate: (picture, ...place) => this.#locate(picture, place),
   };
   /** A note over a picture of an earlier run. */
-  readonly #old = make('p', { className: 'old-picture', part: 'old-picture', hidden: true });
+  readonly #oldNote = make('p', { className: 'old-picture', part: 'old-picture', hidden: true });
   /** The counts of the newest run, until its picture arrives. */
-  #coming: Summary | undefined;
+  #pendingSummary: Summary | undefined;
   /** The run of the old picture. */
   #oldRun: number | undefined;
   /** How the picture relates to the newest run; `old`: that run has failed. */
-  #shown: 'none' | 'of-the-run' | 'of-an-earlier-run' | 'old' = 'none';
+  #pictureState: 'none' | 'current' | 'outdated' | 'old' = 'none';
   #unit: LengthUnit = 'mm';
   /** The palette that the worker paints with, as text. */
-  #colours = '';
+  #sentPalette = '';
   /** The motion under the pointer. */
   #hovered: number | undefined;
   /** Asks what the block of that motion does, once the pointer rests on it. */
   readonly #explanation: NewestQuestion<'help'>;
-  #resting: ReturnType<typeof setTimeout> | undefined;
+  #explainTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#explanation = shell.newest('help', (help) => this.#explained(help));
+    this.#explanation = shell.newest('help', (help) => this.#showExplanation(help));
     const edge = shell.newest('dimension', (edge) =>
       section.showEdge(edge === undefined ? undefined : dimensionText(shell.language, edge, this.#unit)),
     );
     const onSection = this.#events('section');
     const section = new Drawing(shell.language, {
       ...onSection,
-      pointed(x, y) {
-        onSection.pointed(x, y);
+      onPoint(x, y) {
+        onSection.onPoint(x, y);
         edge.ask({ x, y });
       },
-      left() {
-        edge.forget();
+      onLeave() {
+        edge.cancel();
         shell.send({ kind: 'leave-edge' });
         section.showEdge(undefined);
-        onSection.left();
+        onSection.onLeave();
       },
       companions: () => [face, side],
-      recoloured: () => this.coloursChanged(),
+      onColoursChanged: () => this.onColoursChanged(),
     });
     const face = new Drawing(shell.language, this.#events('face'));
     const side = new Drawing(shell.language, this.#events('side'));
     this.#drawings = { section, face, side };
     face.element.hidden = side.element.hidden = true;
     for (const picture of PICTURES) this.#drawings[picture].element.style.setProperty('--picture', picture);
-    section.element.append(this.#old);
-    this.places = {
+    section.element.append(this.#oldNote);
+    this.elements = {
       pictures: [section.element, face.element, side.element],
       playback: [section.legend, section.viewButtons],
     };
@@ -93,14 +93,14 @@ class Pictures implements Panel {
 
   set language(language: Language) {
     const texts = WORDS[language];
-    for (const picture of PICTURES) this.#drawings[picture].speak(language, texts[picture]);
-    this.#showAge();
+    for (const picture of PICTURES) this.#drawings[picture].setLanguage(language, texts[picture]);
+    this.#showOldNote();
   }
 
-  heard(event: Heard): void {
-    if (event.kind === 'old-picture') this.#age(event.of);
+  onEvent(event: CoreEvent): void {
+    if (event.kind === 'old-picture') this.#setOldRun(event.of);
     // The text beside a picture belongs to the run of that picture.
-    if (this.#oldRun !== undefined && event.kind === 'report') this.#coming = event.report.summary;
+    if (this.#oldRun !== undefined && event.kind === 'report') this.#pendingSummary = event.report.summary;
     if (this.#oldRun !== undefined) return;
     if (event.kind === 'path') this.#drawings.section.summary = event.summary;
     if (event.kind === 'report' && event.report.views !== undefined)
@@ -108,78 +108,78 @@ class Pictures implements Panel {
     if (event.kind !== 'report') return;
     this.#drawings.section.summary = event.report.summary;
     this.#unit = event.report.units.shown;
-    for (const drawing of Object.values(this.#drawings)) drawing.lookAgain();
+    for (const drawing of Object.values(this.#drawings)) drawing.repeatHitTest();
   }
 
-  showPictures(images: Images): void {
+  onPictures(images: Images): void {
     if (this.#oldRun !== undefined) {
-      const summary = this.#coming;
-      this.#age(undefined);
+      const summary = this.#pendingSummary;
+      this.#setOldRun(undefined);
       if (summary !== undefined) this.#drawings.section.summary = summary;
     }
-    this.#shown = 'of-the-run';
-    this.#showAge();
+    this.#pictureState = 'current';
+    this.#showOldNote();
     for (const picture of PICTURES) {
       const image = images[picture];
       if (image !== undefined) this.#drawings[picture].show(image);
     }
   }
 
-  #age(run: number | undefined): void {
+  #setOldRun(run: number | undefined): void {
     this.#oldRun = run;
-    this.#coming = undefined;
-    this.#showAge();
+    this.#pendingSummary = undefined;
+    this.#showOldNote();
   }
 
-  #showAge(): void {
+  #showOldNote(): void {
     const run = this.#oldRun;
     const texts = WORDS[this.#shell.language];
-    const text = run !== undefined ? texts.old(run) : this.#shown === 'old' ? texts.notRun : '';
-    this.#old.hidden = text === '';
-    this.#old.textContent = text;
+    const text = run !== undefined ? texts.old(run) : this.#pictureState === 'old' ? texts.notRun : '';
+    this.#oldNote.hidden = text === '';
+    this.#oldNote.textContent = text;
     for (const { element } of Object.values(this.#drawings)) element.classList.toggle('is-old', text !== '');
   }
 
-  coloursChanged(): void {
+  onColoursChanged(): void {
     // A print has light colours immediately, and a newly painted picture would come too late: the style sheet inverts
     // the current one.
     if (matchMedia('print').matches) return;
     const { palette } = this.#drawings.section;
     const colours = JSON.stringify(palette);
-    if (colours === this.#colours) return;
-    this.#colours = colours;
+    if (colours === this.#sentPalette) return;
+    this.#sentPalette = colours;
     this.#shell.send({ kind: 'palette', palette });
   }
 
-  connected(send: (command: Command) => void): void {
+  onWorkerConnected(send: (command: Command) => void): void {
     for (const picture of PICTURES) {
-      send({ kind: 'picture', picture, what: { kind: 'canvas', size: this.#drawings[picture].size } });
+      send({ kind: 'picture', picture, command: { kind: 'canvas', size: this.#drawings[picture].size } });
     }
     const { palette } = this.#drawings.section;
-    this.#colours = JSON.stringify(palette);
+    this.#sentPalette = JSON.stringify(palette);
     send({ kind: 'palette', palette });
   }
 
-  outdated(): void {
+  onInputChanged(): void {
     for (const drawing of Object.values(this.#drawings)) {
       drawing.showTip(undefined);
       drawing.showEdge(undefined);
     }
-    clearTimeout(this.#resting);
-    this.#explanation.forget();
-    if (this.#shown === 'of-the-run') this.#shown = 'of-an-earlier-run';
+    clearTimeout(this.#explainTimer);
+    this.#explanation.cancel();
+    if (this.#pictureState === 'current') this.#pictureState = 'outdated';
     if (this.#hovered === undefined) return;
     this.#hovered = undefined;
     this.#shell.editor.hovered = undefined;
   }
 
-  unreported(): void {
-    if (this.#shown === 'of-an-earlier-run') this.#shown = 'old';
-    this.#showAge();
+  onRunFailed(): void {
+    if (this.#pictureState === 'outdated') this.#pictureState = 'old';
+    this.#showOldNote();
   }
 
-  lost(): void {
-    this.#age(undefined);
+  onWorkerLost(): void {
+    this.#setOldRun(undefined);
     this.#drawings.section.summary = undefined;
     this.#drawings.section.showTip(undefined);
   }
@@ -188,21 +188,21 @@ class Pictures implements Panel {
   #events(picture: PictureName): DrawingEvents {
     const shell = this.#shell;
     const stroke = shell.newest('pick', (stroke) => this.#showHovered(picture, stroke));
-    const look = (what: CanvasCommand): void => shell.send({ kind: 'picture', picture, what });
+    const sendView = (command: CanvasCommand): void => shell.send({ kind: 'picture', picture, command });
     return {
-      resized: (size) => look({ kind: 'resize', size }),
-      wanted: () => look({ kind: 'paint-again' }),
-      fit: () => look({ kind: 'fit' }),
-      pan: (dx, dy) => look({ kind: 'pan', dx, dy }),
-      zoom: (factor, x, y) => look({ kind: 'zoom', factor, x, y }),
-      pointed: (x, y) => stroke.ask({ picture, x, y }),
-      left: () => {
-        stroke.forget();
+      onResize: (size) => sendView({ kind: 'resize', size }),
+      requestPicture: () => sendView({ kind: 'repaint' }),
+      fit: () => sendView({ kind: 'fit' }),
+      pan: (dx, dy) => sendView({ kind: 'pan', dx, dy }),
+      zoom: (factor, x, y) => sendView({ kind: 'zoom', factor, x, y }),
+      onPoint: (x, y) => stroke.ask({ picture, x, y }),
+      onLeave: () => {
+        stroke.cancel();
         this.#showHovered(picture, undefined);
       },
-      clicked: async (x, y, keepFocus) => {
+      onClick: async (x, y, keepFocus) => {
         const chosen = await shell.ask('pick', { picture, x, y });
-        if (chosen !== undefined) shell.choose(chosen, keepFocus ? 'keep-focus' : 'focus');
+        if (chosen !== undefined) shell.chooseStroke(chosen, keepFocus ? 'keep-focus' : 'focus');
       },
     };
   }
@@ -213,21 +213,21 @@ class Pictures implements Panel {
     this.#hovered = stroke?.motion;
     this.#shell.send({ kind: 'hover', motion: stroke?.motion });
     this.#shell.editor.hovered = stroke;
-    clearTimeout(this.#resting);
+    clearTimeout(this.#explainTimer);
     if (stroke !== undefined)
-      this.#resting = setTimeout(
+      this.#explainTimer = setTimeout(
         () => this.#explanation.ask({ by: 'drawing', about: 'motion', motion: stroke.motion }),
-        REST,
+        EXPLAIN_AFTER_MS,
       );
   }
 
-  #explained(help: Help | undefined): void {
-    if (help?.asked.about !== 'motion' || help.asked.motion !== this.#hovered) return;
-    for (const drawing of Object.values(this.#drawings)) drawing.explain(help.asked.motion, help.explanation ?? '');
+  #showExplanation(help: Help | undefined): void {
+    if (help?.request.about !== 'motion' || help.request.motion !== this.#hovered) return;
+    for (const drawing of Object.values(this.#drawings)) drawing.explain(help.request.motion, help.explanation ?? '');
   }
 
   /** Converts a place of a picture to CSS pixels of the window. */
-  async #locate(picture: PictureName, of: readonly [number, number]): Promise<ClientPlace> {
+  async #locate(picture: PictureName, of: readonly [number, number]): Promise<ClientPoint> {
     const place = await this.#shell.ask('locate', { picture, place: of });
     if (place === undefined) throw new Error('the playground is not in a document');
     const { origin, scale } = this.#drawings[picture];

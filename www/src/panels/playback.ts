@@ -4,45 +4,45 @@
 // is in is marked in the text. While it plays, each painted frame asks how far the tool has moved; while it is paused,
 // nothing runs. Must not know: how the path is drawn, or the meaning of a stroke.
 
-import { icon, make, name, unbroken } from '../dom/dom';
+import { icon, make, setAccessibleName, renderUnbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type {
   HeldBy,
-  Holds,
+  PauseConditions,
   LengthUnit,
   Pace,
-  Played,
+  PlayResult,
   Readout,
   StepDirection,
   StepUnit,
   StopSwitch,
 } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import type { Key, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
-import { place as shownPlace } from './lengths';
+import { formatCoordinate } from './lengths';
 import playbackStyles from './playback.css?inline';
 import { ReadoutBoard } from './readout';
 
 /** Durations in which the whole program can be played, s; the first is the default. */
-const WHOLE: readonly number[] = [20, 60];
+const WHOLE_PROGRAM_S: readonly number[] = [20, 60];
 /** Multiples of the machine's speed. */
-const SPEEDS: readonly number[] = [0.5, 1, 2, 5, 10, 50];
-const UNITS: readonly StepUnit[] = ['motion', 'block', 'pass'];
+const SPEED_FACTORS: readonly number[] = [0.5, 1, 2, 5, 10, 50];
+const STEP_UNITS: readonly StepUnit[] = ['motion', 'block', 'pass'];
 /** A longer interval between two frames, s, is limited to this: the page was hidden, or the computer slept. */
-const LONGEST_FRAME = 0.5;
+const MAX_FRAME_S = 0.5;
 
 /** Where one take stops, in addition to stops and breakpoints: at the end of its block, or before a line (from 0). */
-interface Until {
+interface StopCondition {
   readonly block?: true;
   readonly line?: number;
 }
 
 /** An action of the user that waits for the path of the current text. */
-interface Wish {
+interface PendingAction {
   readonly act: () => void;
   /** Whether the action starts the playback. */
-  readonly plays: boolean;
+  readonly startsPlayback: boolean;
 }
 
 export const playback: PanelKind = {
@@ -58,50 +58,50 @@ class Playback implements Panel {
   readonly #play = make('button', { type: 'button', className: 'play', part: 'play' });
   readonly #playIcon = make('span', { className: 'play-icon' });
   readonly #playText = make('span', { className: 'play-text' });
-  readonly #back = make('button', { type: 'button', className: 'quiet' }, icon('previous'));
-  readonly #forward = make('button', { type: 'button', className: 'quiet' }, icon('next'));
-  readonly #here = make('button', { type: 'button' }, icon('from-here'));
-  readonly #unit = make('select', { className: 'speed unit' });
-  readonly #whole = make('button', { type: 'button', className: 'quiet' }, icon('whole'));
+  readonly #previousButton = make('button', { type: 'button', className: 'quiet' }, icon('previous'));
+  readonly #nextButton = make('button', { type: 'button', className: 'quiet' }, icon('next'));
+  readonly #fromCursor = make('button', { type: 'button' }, icon('from-here'));
+  readonly #stepUnit = make('select', { className: 'speed unit' });
+  readonly #wholePath = make('button', { type: 'button', className: 'quiet' }, icon('whole'));
   readonly #slider = make('input', { type: 'range', min: '0', max: '1', step: 'any', value: '0', className: 'scrub' });
   readonly #speed = make('select', { className: 'speed' });
-  readonly #optional = make(
+  readonly #optionalStopToggle = make(
     'button',
     { type: 'button', className: 'level optional', 'aria-pressed': 'true', hidden: true },
     'M01',
   );
-  readonly #single = make('button', { type: 'button', className: 'level single', 'aria-pressed': 'false' });
-  readonly #doing = make('p', { className: 'doing', part: 'doing', 'aria-live': 'polite' });
-  readonly #board: ReadoutBoard;
-  readonly #wholeOptions = WHOLE.map((seconds) => make('option', { value: `whole ${seconds}` }));
+  readonly #singleBlockToggle = make('button', { type: 'button', className: 'level single', 'aria-pressed': 'false' });
+  readonly #status = make('p', { className: 'doing', part: 'doing', 'aria-live': 'polite' });
+  readonly #readout: ReadoutBoard;
+  readonly #wholeProgramOptions = WHOLE_PROGRAM_S.map((seconds) => make('option', { value: `whole ${seconds}` }));
   /** Start of the block that is marked as running. */
-  #running: number | undefined;
-  #place: Readout | undefined;
-  /** `#frame`: the next animation frame; `#asking`: an answer about the tool is pending. */
+  #runningBlock: number | undefined;
+  #toolPlace: Readout | undefined;
+  /** `#frame`: the next animation frame; `#isAsking`: an answer about the tool is pending. */
   #frame: number | undefined;
-  #asking = false;
+  #isAsking = false;
   #lastFrame: number | undefined;
   /** Seconds since the last question. */
   #elapsed = 0;
-  #from: 'here' | 'start' = 'here';
+  #startFrom: 'here' | 'start' = 'here';
   /** Number of the take: an answer to an earlier take is ignored. */
-  #take = 0;
-  #until: Until = {};
-  /** Number of changes of text and setup; `#pathOf` is the change that the current path belongs to. */
-  #changes = 0;
-  #pathOf = -1;
-  #wish: Wish | undefined;
-  #held: HeldBy = 'nothing';
-  #doingShown = '';
-  #lengths: LengthUnit = 'mm';
-  readonly places: Panel['places'];
+  #playId = 0;
+  #stopCondition: StopCondition = {};
+  /** Number of changes of text and setup; `#pathRevision` is the change that the current path belongs to. */
+  #revision = 0;
+  #pathRevision = -1;
+  #pendingAction: PendingAction | undefined;
+  #heldBy: HeldBy = 'nothing';
+  #shownStatus = '';
+  #lengthUnit: LengthUnit = 'mm';
+  readonly elements: Panel['elements'];
   readonly services: Partial<Services> = {
-    play: () => this.#start({}),
+    play: () => this.#startWhenReady({}),
     pause: () => this.#stop(),
-    playOrPause: () => this.#toggle(),
-    step: (unit, direction) => this.#step(unit, direction),
-    goTo: (motion) => this.#put(this.#shell.ask('go-to', { motion })),
-    goToBlock: (offset) => this.#put(this.#shell.ask('seek-block', { offset })),
+    playOrPause: () => this.#togglePlayback(),
+    step: (unit, direction) => this.#stepTool(unit, direction),
+    goTo: (motion) => this.#moveTool(this.#shell.ask('go-to', { motion })),
+    goToBlock: (offset) => this.#moveTool(this.#shell.ask('seek-block', { offset })),
     playBlock: () => this.#playFromHere({ block: true }),
     playToCursor: () => this.#playToCursor(),
     toggleBreakpoint: () => this.#toggleBreakpoint(),
@@ -111,101 +111,109 @@ class Playback implements Panel {
     this.#shell = shell;
     this.#row = shell.region('playback');
     this.#seek = shell.newest('seek', (place) => this.#showTool(place));
-    this.#board = new ReadoutBoard(shell.language);
+    this.#readout = new ReadoutBoard(shell.language);
     this.#play.append(this.#playIcon, this.#playText);
     this.#speed.append(
-      ...this.#wholeOptions,
-      ...SPEEDS.map((speed) => make('option', { value: `times ${speed}` }, `${speed}×`)),
+      ...this.#wholeProgramOptions,
+      ...SPEED_FACTORS.map((speed) => make('option', { value: `times ${speed}` }, `${speed}×`)),
     );
-    this.#unit.append(...UNITS.map((unit) => make('option', { value: unit })));
-    this.places = {
+    this.#stepUnit.append(...STEP_UNITS.map((unit) => make('option', { value: unit })));
+    this.elements = {
       playback: [
-        make('div', { className: 'buttons' }, this.#back, this.#play, this.#forward, this.#here),
-        this.#unit,
+        make('div', { className: 'buttons' }, this.#previousButton, this.#play, this.#nextButton, this.#fromCursor),
+        this.#stepUnit,
         this.#slider,
-        make('div', { className: 'place' }, this.#single, this.#optional, this.#speed, this.#whole),
-        this.#board.element,
-        this.#doing,
+        make(
+          'div',
+          { className: 'place' },
+          this.#singleBlockToggle,
+          this.#optionalStopToggle,
+          this.#speed,
+          this.#wholePath,
+        ),
+        this.#readout.element,
+        this.#status,
       ],
     };
-    this.#play.addEventListener('click', () => this.#toggle());
-    this.#here.hidden = !shell.showsProgram;
-    this.#here.addEventListener('click', () => this.#playFromHere({}));
-    this.#back.addEventListener('click', () => this.#step(this.#chosenUnit, 'previous'));
-    this.#forward.addEventListener('click', () => this.#step(this.#chosenUnit, 'next'));
-    this.#unit.addEventListener('change', () => this.#nameSteps());
-    this.#whole.addEventListener('click', () => this.#showWholePath());
+    this.#play.addEventListener('click', () => this.#togglePlayback());
+    this.#fromCursor.hidden = !shell.showsProgram;
+    this.#fromCursor.addEventListener('click', () => this.#playFromHere({}));
+    this.#previousButton.addEventListener('click', () => this.#stepTool(this.#chosenUnit, 'previous'));
+    this.#nextButton.addEventListener('click', () => this.#stepTool(this.#chosenUnit, 'next'));
+    this.#stepUnit.addEventListener('change', () => this.#nameStepButtons());
+    this.#wholePath.addEventListener('click', () => this.#showWholePath());
     this.#slider.addEventListener('input', () => this.#scrub());
-    this.#optional.addEventListener('click', () => {
-      this.#optional.setAttribute('aria-pressed', String(this.#stops === 'not-optional'));
+    this.#optionalStopToggle.addEventListener('click', () => {
+      this.#optionalStopToggle.setAttribute('aria-pressed', String(this.#stops === 'not-optional'));
     });
-    this.#single.addEventListener('click', () => {
-      this.#single.setAttribute('aria-pressed', String(!this.#isSingle));
+    this.#singleBlockToggle.addEventListener('click', () => {
+      this.#singleBlockToggle.setAttribute('aria-pressed', String(!this.#isSingle));
     });
-    this.#show(undefined);
+    this.#showPlace(undefined);
   }
 
   set language(language: Language) {
     const texts = WORDS[language];
     this.#row.setAttribute('aria-label', texts.playback);
-    for (const [i, option] of this.#wholeOptions.entries()) option.textContent = texts.wholeIn(WHOLE[i] ?? 0);
-    for (const option of this.#unit.options) option.textContent = texts.units[option.value as StepUnit];
-    this.#unit.setAttribute('aria-label', texts.stepBy);
-    this.#unit.title = texts.stepBy;
-    name(this.#here, `${texts.fromHere} (Ctrl Shift Enter)`);
-    name(this.#optional, `M01: ${texts.optionalStops}`);
-    this.#optional.title = texts.optionalStopsHint;
-    this.#single.textContent = texts.single;
-    this.#single.setAttribute('aria-label', `${texts.single}: ${texts.singleName}`);
-    this.#single.title = texts.singleHint;
-    name(this.#whole, texts.wholePath);
+    for (const [i, option] of this.#wholeProgramOptions.entries())
+      option.textContent = texts.wholeIn(WHOLE_PROGRAM_S[i] ?? 0);
+    for (const option of this.#stepUnit.options) option.textContent = texts.units[option.value as StepUnit];
+    this.#stepUnit.setAttribute('aria-label', texts.stepBy);
+    this.#stepUnit.title = texts.stepBy;
+    setAccessibleName(this.#fromCursor, `${texts.fromHere} (Ctrl Shift Enter)`);
+    setAccessibleName(this.#optionalStopToggle, `M01: ${texts.optionalStops}`);
+    this.#optionalStopToggle.title = texts.optionalStopsHint;
+    this.#singleBlockToggle.textContent = texts.single;
+    this.#singleBlockToggle.setAttribute('aria-label', `${texts.single}: ${texts.singleName}`);
+    this.#singleBlockToggle.title = texts.singleHint;
+    setAccessibleName(this.#wholePath, texts.wholePath);
     this.#slider.setAttribute('aria-label', texts.position);
     this.#speed.setAttribute('aria-label', texts.speed);
     this.#speed.title = texts.speed;
-    this.#board.language = language;
-    this.#nameSteps();
-    this.#showPlaying();
+    this.#readout.language = language;
+    this.#nameStepButtons();
+    this.#showState();
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind !== 'report') return;
     const { stage, summary, units } = event.report;
-    this.#lengths = this.#board.unit = units.shown;
+    this.#lengthUnit = this.#readout.unit = units.shown;
     // The path was shown before, and the user may be playing it.
     if (stage === 'whole' || stage === 'path') {
-      const line = this.#place === undefined ? undefined : this.#shell.editor.runningLine;
-      this.#program(summary.motions, summary.optionalStops);
-      void this.#pathCame(line);
-    } else if (stage === 'again' && this.#place !== undefined) {
+      const line = this.#toolPlace === undefined ? undefined : this.#shell.editor.runningLine;
+      this.#onNewPath(summary.motions, summary.optionalStops);
+      void this.#onPathReady(line);
+    } else if (stage === 'repeated' && this.#toolPlace !== undefined) {
       void this.#shell.ask('readout', undefined).then((place) => this.#showTool(place));
     }
   }
 
-  pressed({ event }: Key): 'own' | 'not-own' {
+  onKey({ event }: Key): 'handled' | 'ignored' {
     const control = event.ctrlKey || event.metaKey;
     if (event.key === 'Enter' && control && event.shiftKey) this.#playFromHere({});
     else if (event.key === 'F10' && control) this.#playToCursor();
     else if (event.key === 'F10') this.#playFromHere({ block: true });
     else if (event.key === 'F8' && control) this.#toggleBreakpoint();
-    else if (event.key === 'Enter' && control) this.#toggle();
+    else if (event.key === 'Enter' && control) this.#togglePlayback();
     else if (event.key === 'F9')
-      this.#step(control ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
-    else return 'not-own';
-    return 'own';
+      this.#stepTool(control ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
+    else return 'ignored';
+    return 'handled';
   }
 
-  outdated(): void {
+  onInputChanged(): void {
     this.#stop();
-    this.#changes++;
+    this.#revision++;
   }
 
-  lost(): void {
+  onWorkerLost(): void {
     this.#stop();
-    this.#program(0, 0);
-    this.#show(undefined);
+    this.#onNewPath(0, 0);
+    this.#showPlace(undefined);
   }
 
-  left(): void {
+  onDisconnected(): void {
     this.#stop();
   }
 
@@ -214,54 +222,64 @@ class Playback implements Panel {
   }
 
   /** A new path was drawn: number of its motions and of its optional stops. */
-  #program(motions: number, optionalStops: number): void {
-    this.#halt();
-    for (const control of [this.#play, this.#back, this.#forward, this.#here, this.#slider, this.#single])
+  #onNewPath(motions: number, optionalStops: number): void {
+    this.#stopTicking();
+    for (const control of [
+      this.#play,
+      this.#previousButton,
+      this.#nextButton,
+      this.#fromCursor,
+      this.#slider,
+      this.#singleBlockToggle,
+    ])
       control.disabled = motions <= 0;
-    this.#optional.hidden = optionalStops <= 0;
+    this.#optionalStopToggle.hidden = optionalStops <= 0;
   }
 
   /**
    * After an edit, returns the tool to the block that it was in, also if the next edit comes before the answer. Then
    * carries out the pending action of the user.
    */
-  async #pathCame(line: number | undefined): Promise<void> {
-    const changes = this.#changes;
+  async #onPathReady(line: number | undefined): Promise<void> {
+    const revision = this.#revision;
     const place = line === undefined ? undefined : await this.#shell.ask('seek-block', { offset: line });
-    if (changes !== this.#changes) return;
+    if (revision !== this.#revision) return;
     this.#showTool(place);
-    this.#pathOf = changes;
-    const wish = this.#wish;
-    this.#wish = undefined;
-    wish?.act();
-    this.#showPlaying();
+    this.#pathRevision = revision;
+    const pendingAction = this.#pendingAction;
+    this.#pendingAction = undefined;
+    pendingAction?.act();
+    this.#showState();
   }
 
   /** Carries out an action as soon as the path of the current text exists. */
-  #onceThere(wish: Wish): void {
+  #whenPathReady(pendingAction: PendingAction): void {
     this.#shell.flush();
-    if (this.#pathOf === this.#changes) return wish.act();
-    this.#wish = wish;
-    this.#showPlaying();
+    if (this.#pathRevision === this.#revision) return pendingAction.act();
+    this.#pendingAction = pendingAction;
+    this.#showState();
   }
 
   /** Shows the tool position. */
-  #show(place: Readout | undefined, held: HeldBy = 'nothing'): void {
-    this.#place = place;
-    this.#held = held;
+  #showPlace(place: Readout | undefined, heldBy: HeldBy = 'nothing'): void {
+    this.#toolPlace = place;
+    this.#heldBy = heldBy;
     // While the user drags the slider, an answer to an earlier position must not move it.
     if (!this.#slider.matches(':active')) this.#slider.value = String(place?.share ?? 0);
-    this.#board.shown = place;
+    this.#readout.shown = place;
     // Hidden but not removed: otherwise the drawing would jump with the first step.
-    this.#whole.classList.toggle('not-yet', place === undefined);
-    this.#showDoing();
+    this.#wholePath.classList.toggle('not-yet', place === undefined);
+    this.#showStatus();
     // During playback the announcements would never end.
     if (this.#playing) return;
     const stroke = place?.stroke;
     const spoken =
       stroke === undefined
         ? '–'
-        : this.#words.positionText(shownPlace(stroke.atX, this.#lengths), shownPlace(stroke.atZ, this.#lengths));
+        : this.#words.positionText(
+            formatCoordinate(stroke.atX, this.#lengthUnit),
+            formatCoordinate(stroke.atZ, this.#lengthUnit),
+          );
     this.#slider.setAttribute('aria-valuetext', spoken);
   }
 
@@ -269,71 +287,71 @@ class Playback implements Panel {
     return this.#frame !== undefined;
   }
 
-  #toggle(): void {
-    if (this.#playing || this.#wish?.plays === true) this.#stop();
-    else this.#start({});
+  #togglePlayback(): void {
+    if (this.#playing || this.#pendingAction?.startsPlayback === true) this.#stop();
+    else this.#startWhenReady({});
   }
 
-  #start(until: Until): void {
-    if (!this.#playing) this.#onceThere({ plays: true, act: () => this.#startNow(until) });
+  #startWhenReady(stopCondition: StopCondition): void {
+    if (!this.#playing) this.#whenPathReady({ startsPlayback: true, act: () => this.#startNow(stopCondition) });
   }
 
-  #startNow(until: Until): void {
+  #startNow(stopCondition: StopCondition): void {
     if (this.#playing || this.#play.disabled) return;
-    this.#until = until;
-    this.#from = this.#place === undefined || this.#place.share >= 1 ? 'start' : 'here';
+    this.#stopCondition = stopCondition;
+    this.#startFrom = this.#toolPlace === undefined || this.#toolPlace.share >= 1 ? 'start' : 'here';
     this.#lastFrame = undefined;
     this.#elapsed = 0;
-    this.#asking = false;
-    this.#take++;
+    this.#isAsking = false;
+    this.#playId++;
     this.#frame = requestAnimationFrame(this.#tick);
-    this.#showPlaying();
+    this.#showState();
   }
 
   /** Plays from the block at the cursor; with `block`, only that block. */
-  #playFromHere(until: { readonly block?: true }): void {
+  #playFromHere(stopCondition: { readonly block?: true }): void {
     this.#stop();
     const act = async (): Promise<void> => {
       const place = await this.#shell.ask('seek-block', { offset: this.#shell.editor.cursor });
       this.#showTool(place);
-      if (place !== undefined) this.#startNow(until);
+      if (place !== undefined) this.#startNow(stopCondition);
     };
-    this.#onceThere({ plays: true, act: () => void act() });
+    this.#whenPathReady({ startsPlayback: true, act: () => void act() });
   }
 
   /** Plays to the block at the cursor, from the tool position or from the start. */
   #playToCursor(): void {
     this.#stop();
-    this.#start({ line: this.#shell.editor.lineOf(this.#shell.editor.cursor) });
+    this.#startWhenReady({ line: this.#shell.editor.lineOf(this.#shell.editor.cursor) });
   }
 
   #toggleBreakpoint(): void {
     const { editor } = this.#shell;
     const line = editor.lineOf(editor.cursor) + 1;
-    editor.announce(editor.toggleBreakpoint() ? this.#words.breakpointSet(line) : this.#words.breakpointGone(line));
+    editor.announce(editor.toggleBreakpoint() ? this.#words.breakpointSet(line) : this.#words.breakpointRemoved(line));
   }
 
-  #step(unit: StepUnit, direction: StepDirection): void {
+  #stepTool(unit: StepUnit, direction: StepDirection): void {
     this.#stop();
     const act = (): void => {
       if (this.#play.disabled) return;
-      this.#shell.editor.follow();
+      this.#shell.editor.followRunningBlock();
       // Shows the block even if it is the same one as before.
-      this.#running = undefined;
+      this.#runningBlock = undefined;
       void this.#shell.ask('step', { unit, direction }).then((place) => this.#showTool(place));
     };
-    this.#onceThere({ plays: false, act });
+    this.#whenPathReady({ startsPlayback: false, act });
   }
 
-  async #put(asked: Promise<Readout | undefined>): Promise<void> {
+  async #moveTool(answer: Promise<Readout | undefined>): Promise<void> {
     this.#stop();
-    this.#shell.editor.follow();
-    this.#showTool(await asked);
+    this.#shell.editor.followRunningBlock();
+    this.#showTool(await answer);
   }
 
   #showWholePath(): void {
     this.#stop();
-    this.#show(undefined);
+    this.#showPlace(undefined);
     this.#seek.ask({ share: undefined });
     this.#play.focus({ preventScroll: true });
   }
@@ -341,53 +359,58 @@ class Playback implements Panel {
   #tick = (now: number): void => {
     const elapsed = this.#lastFrame === undefined ? 0 : (now - this.#lastFrame) / 1000;
     this.#lastFrame = now;
-    this.#elapsed += Math.min(elapsed, LONGEST_FRAME);
+    this.#elapsed += Math.min(elapsed, MAX_FRAME_S);
     this.#frame = requestAnimationFrame(this.#tick);
     // One question at a time: if the interpreter is slow, the tool moves in larger steps.
-    if (this.#asking || this.#elapsed === 0) return;
-    this.#asking = true;
-    const take = this.#take;
-    const asked = this.#ask(this.#from, this.#elapsed);
-    [this.#from, this.#elapsed] = ['here', 0];
-    void asked.then((played) => {
-      if (take !== this.#take) return;
-      this.#asking = false;
-      const { place, held } = played ?? { place: undefined, held: 'nothing' };
-      if (held !== 'nothing' || place === undefined || place.share >= 1) this.#stop();
-      this.#show(place, held);
+    if (this.#isAsking || this.#elapsed === 0) return;
+    this.#isAsking = true;
+    const playId = this.#playId;
+    const answer = this.#playFor(this.#startFrom, this.#elapsed);
+    [this.#startFrom, this.#elapsed] = ['here', 0];
+    void answer.then((played) => {
+      if (playId !== this.#playId) return;
+      this.#isAsking = false;
+      const { place, heldBy } = played ?? { place: undefined, heldBy: 'nothing' };
+      if (heldBy !== 'nothing' || place === undefined || place.share >= 1) this.#stop();
+      this.#showPlace(place, heldBy);
     });
   };
 
   /** Plays this many seconds; `start` begins at the start of the program. */
-  async #ask(from: 'here' | 'start', seconds: number): Promise<Played | undefined> {
-    const played = await this.#shell.ask('play', { from, seconds, pace: this.#pace, holds: this.#holds });
-    this.#shell.toolMoved(played?.place);
+  async #playFor(from: 'here' | 'start', seconds: number): Promise<PlayResult | undefined> {
+    const played = await this.#shell.ask('play', {
+      from,
+      seconds,
+      pace: this.#pace,
+      pauseConditions: this.#pauseConditions,
+    });
+    this.#shell.notifyToolMoved(played?.place);
     this.#markRunning(played?.place);
     return played;
   }
 
-  get #holds(): Holds {
-    const { block, line } = this.#until;
+  get #pauseConditions(): PauseConditions {
+    const { block, line } = this.#stopCondition;
     const marked = this.#shell.editor.breakpoints;
     const lines = line === undefined || marked.includes(line) ? marked : [...marked, line].sort((a, b) => a - b);
     return { stops: this.#stops, eachBlock: this.#isSingle || block === true, lines };
   }
 
   get #isSingle(): boolean {
-    return this.#single.getAttribute('aria-pressed') === 'true';
+    return this.#singleBlockToggle.getAttribute('aria-pressed') === 'true';
   }
 
   #showTool(place: Readout | undefined): void {
-    this.#show(place);
-    this.#shell.toolMoved(place);
+    this.#showPlace(place);
+    this.#shell.notifyToolMoved(place);
     this.#markRunning(place);
   }
 
   /** Marks the block that runs, or that stops the tool. */
   #markRunning(place: Readout | undefined): void {
     const block = place?.stop ?? place?.stroke;
-    if (block?.from === this.#running) return;
-    this.#running = block?.from;
+    if (block?.from === this.#runningBlock) return;
+    this.#runningBlock = block?.from;
     this.#shell.editor.running = block;
   }
 
@@ -398,19 +421,19 @@ class Playback implements Panel {
 
   /** Stops the tool and drops the pending action. */
   #stop(): void {
-    const waited = this.#wish !== undefined;
-    this.#wish = undefined;
-    this.#halt();
-    if (waited) this.#showPlaying();
+    const hadPendingAction = this.#pendingAction !== undefined;
+    this.#pendingAction = undefined;
+    this.#stopTicking();
+    if (hadPendingAction) this.#showState();
   }
 
-  #halt(): void {
+  #stopTicking(): void {
     if (this.#frame === undefined) return;
     cancelAnimationFrame(this.#frame);
     this.#frame = undefined;
-    this.#take++;
-    this.#showPlaying();
-    this.#show(this.#place);
+    this.#playId++;
+    this.#showState();
+    this.#showPlace(this.#toolPlace);
   }
 
   get #pace(): Pace {
@@ -419,40 +442,40 @@ class Playback implements Panel {
   }
 
   get #stops(): StopSwitch {
-    return this.#optional.getAttribute('aria-pressed') === 'true' ? 'all' : 'not-optional';
+    return this.#optionalStopToggle.getAttribute('aria-pressed') === 'true' ? 'all' : 'not-optional';
   }
 
   get #chosenUnit(): StepUnit {
-    return UNITS.find((unit) => unit === this.#unit.value) ?? 'motion';
+    return STEP_UNITS.find((unit) => unit === this.#stepUnit.value) ?? 'motion';
   }
 
-  #nameSteps(): void {
+  #nameStepButtons(): void {
     const key = { motion: 'F9', block: 'Ctrl F9', pass: 'Alt F9' }[this.#chosenUnit];
     const texts = this.#words;
-    name(this.#back, `${texts.previous[this.#chosenUnit]} (Shift ${key})`);
-    name(this.#forward, `${texts.next[this.#chosenUnit]} (${key})`);
+    setAccessibleName(this.#previousButton, `${texts.previous[this.#chosenUnit]} (Shift ${key})`);
+    setAccessibleName(this.#nextButton, `${texts.next[this.#chosenUnit]} (${key})`);
   }
 
-  #showDoing(): void {
-    const { stroke, stop } = this.#place ?? {};
+  #showStatus(): void {
+    const { stroke, stop } = this.#toolPlace ?? {};
     let text = '';
-    const atLine = this.#held === 'line' && stroke !== undefined ? stroke.line : undefined;
+    const atLine = this.#heldBy === 'line' && stroke !== undefined ? stroke.line : undefined;
     if (atLine !== undefined) text = this.#words.heldAt(atLine);
     else if (stop !== undefined) text = this.#words.stopped(stop.code, stop.line);
     else if (stroke !== undefined) text = `${COMMON[this.#shell.language].line(stroke.line)}: ${stroke.text}`;
-    if (text === this.#doingShown) return;
-    this.#doingShown = text;
-    this.#doing.classList.toggle('stopped', stop !== undefined || atLine !== undefined);
-    this.#doing.replaceChildren(...(text === '' ? [] : unbroken(text)));
+    if (text === this.#shownStatus) return;
+    this.#shownStatus = text;
+    this.#status.classList.toggle('stopped', stop !== undefined || atLine !== undefined);
+    this.#status.replaceChildren(...(text === '' ? [] : renderUnbroken(text)));
   }
 
-  #showPlaying(): void {
-    const isUnderWay = this.#playing || this.#wish?.plays === true;
-    const text = isUnderWay ? this.#words.pause : this.#words.play;
-    this.#playIcon.replaceChildren(icon(isUnderWay ? 'pause' : 'play'));
+  #showState(): void {
+    const isActive = this.#playing || this.#pendingAction?.startsPlayback === true;
+    const text = isActive ? this.#words.pause : this.#words.play;
+    this.#playIcon.replaceChildren(icon(isActive ? 'pause' : 'play'));
     this.#playText.textContent = text;
     this.#play.title = `${text} (Ctrl Enter)`;
-    this.#doing.setAttribute('aria-live', this.#playing ? 'off' : 'polite');
+    this.#status.setAttribute('aria-live', this.#playing ? 'off' : 'polite');
   }
 }
 
@@ -479,7 +502,7 @@ const WORDS = words({
     singleName: 'Single block',
     singleHint: 'Single block: when on, the playback stops after each block that moves the tool',
     breakpointSet: (line: number) => `The playback stops before line ${line}.`,
-    breakpointGone: (line: number) => `The playback no longer stops before line ${line}.`,
+    breakpointRemoved: (line: number) => `The playback no longer stops before line ${line}.`,
   },
   zh: {
     playback: '播放',
@@ -503,7 +526,7 @@ const WORDS = words({
     singleName: '单程序段',
     singleHint: '单程序段：打开后，每执行完一个移动刀具的程序段就停下',
     breakpointSet: (line) => `播放将在第 ${line} 行之前停下。`,
-    breakpointGone: (line) => `播放不再停在第 ${line} 行之前。`,
+    breakpointRemoved: (line) => `播放不再停在第 ${line} 行之前。`,
   },
   ru: {
     playback: 'Воспроизведение',
@@ -527,6 +550,6 @@ const WORDS = words({
     singleName: 'Покадровая отработка',
     singleHint: 'Покадровая отработка: показ останавливается после каждого кадра с перемещением',
     breakpointSet: (line) => `Показ остановится перед строкой ${line}.`,
-    breakpointGone: (line) => `Показ больше не останавливается перед строкой ${line}.`,
+    breakpointRemoved: (line) => `Показ больше не останавливается перед строкой ${line}.`,
   },
 });

@@ -4,14 +4,14 @@
 // In: buttons and keys. Out: commands to the playback; `data-presenting` of the frame, the attribute `presenting` of
 // the element. Must not know: how anything is drawn or played.
 
-import { icon, make, name } from '../dom/dom';
+import { icon, make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import presentationStyles from './presentation.css?inline';
 
 /** Scale of everything that is measured by the font size of the page. */
-const LARGER = '150%';
+const FONT_SCALE = '150%';
 
 export const presentation: PanelKind = {
   control: 'tools',
@@ -22,55 +22,55 @@ export const presentation: PanelKind = {
 class Presentation implements Panel {
   readonly #shell: Shell;
   readonly #host: HTMLElement;
-  readonly #shown: HTMLElement;
-  readonly #whole = make('button', { type: 'button', className: 'level whole-screen' }, icon('screen'));
-  readonly #present = make('button', {
+  readonly #picturePart: HTMLElement;
+  readonly #fullScreen = make('button', { type: 'button', className: 'level whole-screen' }, icon('screen'));
+  readonly #presentButton = make('button', {
     type: 'button',
     className: 'quiet outlined present-button',
     'aria-pressed': 'false',
   });
   /** Font size of the page before the presentation; undefined if there is none now. */
-  #typeBefore: string | undefined;
-  readonly places = { views: [this.#whole], foot: [this.#present] };
+  #fontSizeBefore: string | undefined;
+  readonly elements = { views: [this.#fullScreen], foot: [this.#presentButton] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
     this.#host = shell.root.host as HTMLElement;
     const shown = shell.frame.querySelector<HTMLElement>('#shown');
     if (shown === null) throw new Error('the frame has no #shown');
-    this.#shown = shown;
+    this.#picturePart = shown;
     // Without full-screen support, the button would do nothing.
-    this.#whole.hidden = !document.fullscreenEnabled;
-    this.#whole.addEventListener('click', () => void this.#toggleWhole());
-    this.#present.addEventListener('click', () => this.#toggle());
-    document.addEventListener('fullscreenchange', this.#fullscreenChanged);
+    this.#fullScreen.hidden = !document.fullscreenEnabled;
+    this.#fullScreen.addEventListener('click', () => void this.#toggleFullScreen());
+    this.#presentButton.addEventListener('click', () => this.#toggle());
+    document.addEventListener('fullscreenchange', this.#onFullScreenChanged);
   }
 
   set language(_: Language) {
-    this.#name();
+    this.#updateNames();
   }
 
-  left(): void {
+  onDisconnected(): void {
     if (this.#isPresenting) this.#end();
   }
 
-  pressed({ event, inside }: Key): 'own' | 'not-own' {
-    if (!this.#isPresenting || event.ctrlKey || event.metaKey || event.altKey) return 'not-own';
+  onKey({ event, inside }: Key): 'handled' | 'ignored' {
+    if (!this.#isPresenting || event.ctrlKey || event.metaKey || event.altKey) return 'ignored';
     const step = this.#shell.service('step');
     // A presenter remote sends these two keys, regardless of the focus.
     if (event.key === 'PageDown') step('block', 'next');
     else if (event.key === 'PageUp') step('block', 'previous');
     else if (event.key === 'Escape') this.#end();
-    else if (inside === 'text') return 'not-own';
+    else if (inside === 'text') return 'ignored';
     else if (event.key === 'ArrowRight') step('motion', 'next');
     else if (event.key === 'ArrowLeft') step('motion', 'previous');
     else if (event.key === ' ') this.#shell.service('playOrPause')();
-    else return 'not-own';
-    return 'own';
+    else return 'ignored';
+    return 'handled';
   }
 
   get #isPresenting(): boolean {
-    return this.#typeBefore !== undefined;
+    return this.#fontSizeBefore !== undefined;
   }
 
   #toggle(): void {
@@ -80,42 +80,42 @@ class Presentation implements Panel {
 
   #begin(): void {
     const { style } = document.documentElement;
-    this.#typeBefore = style.fontSize;
-    style.fontSize = LARGER;
+    this.#fontSizeBefore = style.fontSize;
+    style.fontSize = FONT_SCALE;
     this.#host.toggleAttribute('presenting', true);
     this.#shell.frame.dataset['presenting'] = '';
     // If full screen is refused, the element fills the window.
     this.#host.requestFullscreen?.().catch(() => undefined);
-    this.#name();
-    this.#present.focus();
+    this.#updateNames();
+    this.#presentButton.focus();
   }
 
   #end(): void {
-    document.documentElement.style.fontSize = this.#typeBefore ?? '';
-    this.#typeBefore = undefined;
+    document.documentElement.style.fontSize = this.#fontSizeBefore ?? '';
+    this.#fontSizeBefore = undefined;
     this.#host.removeAttribute('presenting');
     delete this.#shell.frame.dataset['presenting'];
     if (document.fullscreenElement === this.#host) void document.exitFullscreen();
-    this.#name();
+    this.#updateNames();
   }
 
-  readonly #fullscreenChanged = (): void => {
+  readonly #onFullScreenChanged = (): void => {
     // In full screen, the browser handles Escape.
     if (this.#isPresenting && document.fullscreenElement === null) this.#end();
-    this.#name();
+    this.#updateNames();
   };
 
-  async #toggleWhole(): Promise<void> {
-    if (document.fullscreenElement === null) await this.#shown.requestFullscreen().catch(() => undefined);
+  async #toggleFullScreen(): Promise<void> {
+    if (document.fullscreenElement === null) await this.#picturePart.requestFullscreen().catch(() => undefined);
     else await document.exitFullscreen();
   }
 
-  #name(): void {
+  #updateNames(): void {
     const texts = WORDS[this.#shell.language];
-    this.#present.setAttribute('aria-pressed', String(this.#isPresenting));
-    this.#present.textContent = this.#isPresenting ? texts.end : texts.present;
-    this.#present.title = texts.presentHint;
-    name(this.#whole, document.fullscreenElement === null ? texts.whole : texts.window);
+    this.#presentButton.setAttribute('aria-pressed', String(this.#isPresenting));
+    this.#presentButton.textContent = this.#isPresenting ? texts.end : texts.present;
+    this.#presentButton.title = texts.presentHint;
+    setAccessibleName(this.#fullScreen, document.fullscreenElement === null ? texts.whole : texts.window);
   }
 }
 

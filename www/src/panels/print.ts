@@ -4,18 +4,18 @@
 // In: the newest report; the command to print (Ctrl P or the browser's menu). Out: a sheet that is visible only in
 // print. Must not know: the contents of a program or a setup.
 
-import { make, prose } from '../dom/dom';
+import { make, renderProse } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { isPrinting } from '../dom/printing';
 import { COMMON, words } from '../dom/words';
 import type { Diagnostic, SetupForm } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import printStyles from './print.css?inline';
 
 /** Most lines of a program, and most problems, that are printed. */
-const MOST_LINES = 5_000;
-const MOST_PROBLEMS = 500;
+const MAX_LINES = 5_000;
+const MAX_PROBLEMS = 500;
 
 export const print: PanelKind = { styles: printStyles, make: (shell) => new Print(shell) };
 
@@ -26,37 +26,37 @@ class Print implements Panel {
   #diagnostics: readonly Diagnostic[] = [];
   /** The answers that were requested before printing began. */
   #prepared: { readonly setup: SetupForm | undefined } | undefined;
-  readonly places = { dialogs: [this.#sheet] };
+  readonly elements = { dialogs: [this.#sheet] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.connected();
+    this.onWorkerConnected();
   }
 
-  connected(): void {
-    window.addEventListener('beforeprint', this.#before);
-    window.addEventListener('afterprint', this.#after);
-    if (isPrinting()) queueMicrotask(this.#before);
+  onWorkerConnected(): void {
+    window.addEventListener('beforeprint', this.#onBeforePrint);
+    window.addEventListener('afterprint', this.#onAfterPrint);
+    if (isPrinting()) queueMicrotask(this.#onBeforePrint);
   }
 
   set language(_: Language) {
     // The texts are filled in when the sheet is printed.
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind === 'report') this.#diagnostics = event.report.diagnostics;
   }
 
-  pressed({ event }: Key): 'own' | 'not-own' {
+  onKey({ event }: Key): 'handled' | 'ignored' {
     if (event.key.toLowerCase() !== 'p' || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey)
-      return 'not-own';
+      return 'ignored';
     void this.#print();
-    return 'own';
+    return 'handled';
   }
 
-  left(): void {
-    window.removeEventListener('beforeprint', this.#before);
-    window.removeEventListener('afterprint', this.#after);
+  onDisconnected(): void {
+    window.removeEventListener('beforeprint', this.#onBeforePrint);
+    window.removeEventListener('afterprint', this.#onAfterPrint);
   }
 
   /** Requests the contents besides the program, then prints. */
@@ -74,7 +74,7 @@ class Print implements Panel {
     window.print();
   }
 
-  readonly #before = (): void => {
+  readonly #onBeforePrint = (): void => {
     const { language, editor } = this.#shell;
     const texts = WORDS[language];
     const lines = editor.text.split('\n');
@@ -83,10 +83,10 @@ class Print implements Panel {
     const program = make('ol', { className: 'sheet-program' });
     program.append(
       ...lines
-        .slice(0, MOST_LINES)
+        .slice(0, MAX_LINES)
         .map((text, at) => make('li', { className: marked.get(at + 1) ?? '' }, make('code', {}, text))),
     );
-    const more = lines.length - MOST_LINES;
+    const more = lines.length - MAX_LINES;
     this.#sheet.replaceChildren(
       ...(editor.file === undefined ? [] : [make('h1', {}, editor.file.name)]),
       ...(this.#picture.src === '' ? [] : [this.#picture]),
@@ -99,7 +99,7 @@ class Print implements Panel {
     this.#shell.frame.classList.toggle('has-sheet-drawing', this.#picture.src !== '');
   };
 
-  readonly #after = (): void => {
+  readonly #onAfterPrint = (): void => {
     this.#sheet.replaceChildren();
     if (this.#picture.src !== '') URL.revokeObjectURL(this.#picture.src);
     this.#picture.removeAttribute('src');
@@ -113,18 +113,18 @@ class Print implements Panel {
     const list = make('ul', { className: 'sheet-problems' });
     list.append(
       ...this.#diagnostics
-        .slice(0, MOST_PROBLEMS)
+        .slice(0, MAX_PROBLEMS)
         .map(({ line, code, message, help }) =>
           make(
             'li',
             {},
             make('strong', {}, `${COMMON[language].line(line)} · ${code}: `),
-            ...prose(message),
-            ...(help === undefined ? [] : [' ', ...prose(help)]),
+            ...renderProse(message),
+            ...(help === undefined ? [] : [' ', ...renderProse(help)]),
           ),
         ),
     );
-    const more = this.#diagnostics.length - MOST_PROBLEMS;
+    const more = this.#diagnostics.length - MAX_PROBLEMS;
     return [make('h2', {}, texts.problems), list, ...(more > 0 ? [make('p', {}, texts.more(more))] : [])];
   }
 
@@ -132,16 +132,16 @@ class Print implements Panel {
   #setup(texts: (typeof WORDS)['en']): readonly HTMLElement[] {
     const groups = (this.#prepared?.setup?.groups ?? []).map(({ title, fields }) => ({
       title,
-      given: fields.filter(({ value }) => value !== ''),
+      filled: fields.filter(({ value }) => value !== ''),
     }));
     const rows = groups
-      .filter(({ given }) => given.length > 0)
-      .map(({ title, given }) =>
+      .filter(({ filled }) => filled.length > 0)
+      .map(({ title, filled }) =>
         make(
           'li',
           {},
           make('strong', {}, `${title}: `),
-          given
+          filled
             .map(
               ({ label, value, unit, choices }) =>
                 `${label} ${choices.find((choice) => choice.value === value)?.text ?? value}${unit === '' ? '' : ` ${unit}`}`,

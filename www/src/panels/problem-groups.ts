@@ -12,10 +12,10 @@ export type Order = 'severity' | 'place';
 export const SEVERITIES: readonly Severity[] = ['error', 'warning', 'info'];
 
 /** Filter and order of the problems. */
-export interface Wanted {
+export interface ProblemFilter {
   readonly order: Order;
   /** Severities that are hidden. */
-  readonly without: ReadonlySet<Severity>;
+  readonly hiddenSeverities: ReadonlySet<Severity>;
   /** Slug of the only rule that is shown; undefined: all rules. */
   readonly rule: string | undefined;
 }
@@ -23,11 +23,14 @@ export interface Wanted {
 /** In source order; never empty. */
 export type Group = readonly [Diagnostic, ...Diagnostic[]];
 
-export function groups(diagnostics: readonly Diagnostic[], { order, without, rule }: Wanted): readonly Group[] {
+export function groupProblems(
+  diagnostics: readonly Diagnostic[],
+  { order, hiddenSeverities, rule }: ProblemFilter,
+): readonly Group[] {
   const found = new Map<string, [Diagnostic, ...Diagnostic[]]>();
   for (const diagnostic of diagnostics) {
     const { severity, code, slug } = diagnostic;
-    if (without.has(severity) || (rule !== undefined && slug !== rule)) continue;
+    if (hiddenSeverities.has(severity) || (rule !== undefined && slug !== rule)) continue;
     const key = `${severity} ${code} ${slug}`;
     const group = found.get(key);
     if (group === undefined) found.set(key, [diagnostic]);
@@ -40,7 +43,7 @@ export function groups(diagnostics: readonly Diagnostic[], { order, without, rul
 }
 
 /** Number of problems of each rule, sorted by slug. */
-export function countByRule(diagnostics: readonly Diagnostic[]): ReadonlyMap<string, number> {
+export function countsByRule(diagnostics: readonly Diagnostic[]): ReadonlyMap<string, number> {
   const counts = new Map<string, number>();
   for (const { slug } of diagnostics) counts.set(slug, (counts.get(slug) ?? 0) + 1);
   return new Map([...counts].sort(([a], [b]) => (a < b ? -1 : 1)));

@@ -2,11 +2,11 @@
 //
 // In: the diagnostics of the newest run. Out: the user's choices. Must not know: how the problems are shown.
 
-import { arrange, icon, make, name, showText } from '../dom/dom';
+import { setChildren, icon, make, setAccessibleName, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Diagnostic } from '../protocol/protocol';
-import { countByRule, SEVERITIES, type Order, type Severity, type Wanted } from './problem-groups';
+import { countsByRule, SEVERITIES, type Order, type Severity, type ProblemFilter } from './problem-groups';
 
 interface Toggle {
   readonly button: HTMLButtonElement;
@@ -17,14 +17,14 @@ export class ProblemsView {
   readonly #toggles: Readonly<Record<Severity, Toggle>>;
   readonly #order = make('select', { className: 'small' });
   readonly #rule = make('select', { className: 'small' });
-  readonly #severities = make('span', { className: 'severities', role: 'group' });
-  readonly #without = new Set<Severity>();
+  readonly #severityGroup = make('span', { className: 'severities', role: 'group' });
+  readonly #hiddenSeverities = new Set<Severity>();
   #chosenRule: string | undefined;
   /** The current options as text: an unchanged list is not rebuilt, because the user may have opened it. */
   #options = '';
-  readonly element = make('div', { className: 'problems-view' }, this.#severities, this.#order, this.#rule);
+  readonly element = make('div', { className: 'problems-view' }, this.#severityGroup, this.#order, this.#rule);
 
-  constructor(changed: () => void) {
+  constructor(onChange: () => void) {
     const toggle = (severity: Severity): Toggle => {
       const count = make('span');
       const button = make(
@@ -34,31 +34,31 @@ export class ProblemsView {
         count,
       );
       button.addEventListener('click', () => {
-        if (!this.#without.delete(severity)) this.#without.add(severity);
-        button.setAttribute('aria-pressed', String(!this.#without.has(severity)));
-        changed();
+        if (!this.#hiddenSeverities.delete(severity)) this.#hiddenSeverities.add(severity);
+        button.setAttribute('aria-pressed', String(!this.#hiddenSeverities.has(severity)));
+        onChange();
       });
       return { button, count };
     };
     this.#toggles = { error: toggle('error'), warning: toggle('warning'), info: toggle('info') };
-    this.#order.addEventListener('change', changed);
+    this.#order.addEventListener('change', onChange);
     this.#rule.addEventListener('change', () => {
       this.#chosenRule = this.#rule.value === '' ? undefined : this.#rule.value;
-      changed();
+      onChange();
     });
   }
 
-  get wanted(): Wanted {
+  get filter(): ProblemFilter {
     return {
       order: this.#order.value === 'place' ? 'place' : 'severity',
-      without: this.#without,
+      hiddenSeverities: this.#hiddenSeverities,
       rule: this.#chosenRule,
     };
   }
 
   render(language: Language, diagnostics: readonly Diagnostic[]): void {
     const texts = WORDS[language];
-    this.#severities.setAttribute('aria-label', texts.severities);
+    this.#severityGroup.setAttribute('aria-label', texts.severities);
     this.#order.setAttribute('aria-label', texts.order);
     this.#rule.setAttribute('aria-label', texts.rule);
     const counts = new Map<Severity, number>();
@@ -67,14 +67,14 @@ export class ProblemsView {
     // A severity that is switched off remains, so that it can be switched on again.
     const present = SEVERITIES.filter((severity) => counts.has(severity));
     const offered =
-      present.length > 1 || this.#without.size > 0
-        ? SEVERITIES.filter((severity) => counts.has(severity) || this.#without.has(severity))
+      present.length > 1 || this.#hiddenSeverities.size > 0
+        ? SEVERITIES.filter((severity) => counts.has(severity) || this.#hiddenSeverities.has(severity))
         : [];
-    arrange(
-      this.#severities,
+    setChildren(
+      this.#severityGroup,
       offered.map((severity) => this.#toggles[severity].button),
     );
-    const rules = countByRule(diagnostics);
+    const rules = countsByRule(diagnostics);
     if (this.#chosenRule !== undefined && !rules.has(this.#chosenRule)) this.#chosenRule = undefined;
     this.#order.hidden = rules.size < 2;
     this.#rule.hidden = rules.size < 2;
@@ -82,10 +82,10 @@ export class ProblemsView {
     this.#renderOptions(language, rules);
   }
 
-  #show(severity: Severity, count: number, words: (count: number) => string): void {
+  #show(severity: Severity, count: number, label: (count: number) => string): void {
     const toggle = this.#toggles[severity];
-    showText(toggle.count, String(count));
-    if (toggle.button.title !== words(count)) name(toggle.button, words(count));
+    setText(toggle.count, String(count));
+    if (toggle.button.title !== label(count)) setAccessibleName(toggle.button, label(count));
   }
 
   #renderOptions(language: Language, rules: ReadonlyMap<string, number>): void {
@@ -93,10 +93,10 @@ export class ProblemsView {
     const options = JSON.stringify([language, ...rules]);
     if (options !== this.#options) {
       this.#options = options;
-      const { wanted } = this;
+      const { filter } = this;
       const orders: readonly Order[] = ['severity', 'place'];
       this.#order.replaceChildren(...orders.map((order) => make('option', { value: order }, texts.orders[order])));
-      this.#order.value = wanted.order;
+      this.#order.value = filter.order;
       const all = make('option', { value: '' }, texts.allRules);
       this.#rule.replaceChildren(
         all,

@@ -4,23 +4,23 @@
 // all safe ones; the rule to switch off. Problems of one rule with one code share a row, which lists their places. Must
 // not know: the meaning of a diagnostic.
 
-import { arrange, icon, make, name, prose, showText } from '../dom/dom';
+import { setChildren, icon, make, setAccessibleName, renderProse, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import { PROBLEM_WORDS } from '../editor/problem-words';
 import { ruleLink } from '../editor/rule-link';
 import type { Diagnostic, Fix } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import type { Key, Panel, PanelKind, Shell } from './panel';
-import { groups, type Group } from './problem-groups';
+import { groupProblems, type Group } from './problem-groups';
 import { ProblemsView } from './problems-view';
-import { countSafe, safeEdits } from './safe-fixes';
+import { countSafeFixes, safeEdits } from './safe-fixes';
 import problemsStyles from './problems.css?inline';
 
 /** Most rows of the list; a program can have any number of problems. */
-const SHOWN = 200;
+const MAX_ROWS = 200;
 /** Places of a group that are shown until the user expands it. */
-const PLACES = 10;
+const MAX_COLLAPSED_PLACES = 10;
 
 export const problems: PanelKind = {
   control: 'problems',
@@ -40,16 +40,16 @@ class Problems implements Panel {
   readonly #fixSafe = make('button', { type: 'button', className: 'fix fix-safe' });
   readonly #title = make('span', { id: 'problems-name' });
   readonly #count = make('span', { className: 'count' });
-  readonly #view = new ProblemsView(() => this.#render());
+  readonly #filterRow = new ProblemsView(() => this.#render());
   readonly #more = make('li', { className: 'more' });
   /** Rules that the setup switches off. */
-  readonly #off = make('li', { className: 'more rules-off' });
+  readonly #rulesOffRow = make('li', { className: 'more rules-off' });
   /** Rows by their content; several rows can have the same content. */
   #rows = new Map<string, Row[]>();
   /** Expanded groups, keyed by severity, code and rule. */
-  readonly #whole = new Set<string>();
+  readonly #expandedGroups = new Set<string>();
   readonly #list = make('ul', { className: 'problems-list', id: 'problems-list' });
-  readonly #body = make('div', { className: 'problems-body' }, this.#view.element, this.#list);
+  readonly #body = make('div', { className: 'problems-body' }, this.#filterRow.element, this.#list);
   readonly #element = make(
     // The caption distinguishes the name from that of another element on the page.
     'section',
@@ -59,15 +59,15 @@ class Problems implements Panel {
   );
   #diagnostics: readonly Diagnostic[] = [];
   #rulesOff: readonly string[] = [];
-  #offShown = '';
-  readonly places = { problems: [this.#element] };
+  #shownRulesOff = '';
+  readonly elements = { problems: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
     this.#toggle.append(icon('chevron'), this.#title, this.#count);
     this.#toggle.setAttribute('aria-controls', this.#list.id);
     this.#toggle.addEventListener('click', () => this.#setOpen(this.#body.hidden === true));
-    this.#fixSafe.addEventListener('click', () => this.#fix(safeEdits(this.#diagnostics)));
+    this.#fixSafe.addEventListener('click', () => this.#applyEdits(safeEdits(this.#diagnostics)));
     this.#element.addEventListener('mousedown', (event) => {
       // The first click of a double click can remove its button; the second must not focus the button that takes its
       // place.
@@ -80,45 +80,45 @@ class Problems implements Panel {
     this.#render();
   }
 
-  heard(event: Heard): void {
-    if (event.kind === 'report') this.#put(event.report.diagnostics, event.report.rulesOff);
+  onEvent(event: CoreEvent): void {
+    if (event.kind === 'report') this.#setProblems(event.report.diagnostics, event.report.rulesOff);
   }
 
-  unreported(): void {
-    this.#put([], []);
+  onRunFailed(): void {
+    this.#setProblems([], []);
   }
 
-  #put(diagnostics: readonly Diagnostic[], rulesOff: readonly string[]): void {
+  #setProblems(diagnostics: readonly Diagnostic[], rulesOff: readonly string[]): void {
     this.#diagnostics = diagnostics;
     this.#rulesOff = rulesOff;
     const focused = this.#shell.root.activeElement;
-    const isHere = this.#element.contains(focused);
+    const hadFocus = this.#element.contains(focused);
     this.#render();
     // A focused button may have been removed with its problem.
-    if (isHere && focused?.checkVisibility() === false) this.#shell.editor.focus();
+    if (hadFocus && focused?.checkVisibility() === false) this.#shell.editor.focus();
   }
 
-  pressed({ event }: Key): 'own' | 'not-own' {
-    if (event.key !== 'F8' || event.ctrlKey || event.metaKey || event.altKey) return 'not-own';
+  onKey({ event }: Key): 'handled' | 'ignored' {
+    if (event.key !== 'F8' || event.ctrlKey || event.metaKey || event.altKey) return 'ignored';
     this.#shell.editor.nextProblem(event.shiftKey ? 'previous' : 'next');
-    return 'own';
+    return 'handled';
   }
 
-  #fix(edits: Fix['edits']): void {
-    this.#shell.editor.apply(edits);
+  #applyEdits(edits: Fix['edits']): void {
+    this.#shell.editor.applyFixes(edits);
     // The clicked button is removed with its problem.
     this.#shell.editor.focus();
   }
 
   /** Applies a fix: an edit of the program, or a setting. */
-  #make(fix: Fix | undefined): void {
-    if (fix?.setting !== undefined) this.#shell.service('takeSetting')(fix.setting);
-    else this.#fix(fix?.edits ?? []);
+  #applyFix(fix: Fix | undefined): void {
+    if (fix?.setting !== undefined) this.#shell.service('applySetting')(fix.setting);
+    else this.#applyEdits(fix?.edits ?? []);
   }
 
   /** Hides or shows the messages of a rule. */
-  #set(slug: string, level: 'off' | ''): void {
-    this.#shell.service('takeSetting')({ key: `rules.${slug}`, value: level });
+  #setRule(slug: string, level: 'off' | ''): void {
+    this.#shell.service('applySetting')({ key: `rules.${slug}`, value: level });
     // The clicked button is removed.
     this.#toggle.focus();
   }
@@ -132,54 +132,56 @@ class Problems implements Panel {
     const strings = WORDS[this.#shell.language];
     const count = this.#diagnostics.length;
     this.#element.hidden = count === 0 && this.#rulesOff.length === 0;
-    showText(this.#title, strings.problems);
-    const safe = countSafe(this.#diagnostics);
+    setText(this.#title, strings.problems);
+    const safe = countSafeFixes(this.#diagnostics);
     this.#fixSafe.hidden = safe === 0;
-    showText(this.#fixSafe, strings.fixSafe(safe));
+    setText(this.#fixSafe, strings.fixSafe(safe));
     this.#fixSafe.title = strings.fixSafeHelp;
-    this.#view.render(this.#shell.language, this.#diagnostics);
-    const wanted = groups(this.#diagnostics, this.#view.wanted);
-    const seen = wanted.reduce((sum, group) => sum + group.length, 0);
-    showText(this.#count, seen === count ? String(count) : strings.someOf(seen, count));
-    const rows = wanted.slice(0, SHOWN).map((group) => this.#row(group));
+    this.#filterRow.render(this.#shell.language, this.#diagnostics);
+    const shownGroups = groupProblems(this.#diagnostics, this.#filterRow.filter);
+    const shownCount = shownGroups.reduce((sum, group) => sum + group.length, 0);
+    setText(this.#count, shownCount === count ? String(count) : strings.someOf(shownCount, count));
+    const rows = shownGroups.slice(0, MAX_ROWS).map((group) => this.#row(group));
     this.#rows = new Map();
     for (const row of rows) {
-      const shows = this.#shows(row.group);
-      const same = this.#rows.get(shows);
-      if (same === undefined) this.#rows.set(shows, [row]);
+      const key = this.#rowKey(row.group);
+      const same = this.#rows.get(key);
+      if (same === undefined) this.#rows.set(key, [row]);
       else same.push(row);
     }
-    showText(this.#more, strings.moreProblems(wanted.length - SHOWN));
-    this.#renderOff();
-    arrange(this.#list, [
+    setText(this.#more, strings.moreProblems(shownGroups.length - MAX_ROWS));
+    this.#renderRulesOff();
+    setChildren(this.#list, [
       ...rows.map(({ element }) => element),
-      ...(wanted.length > SHOWN ? [this.#more] : []),
-      ...(this.#rulesOff.length > 0 ? [this.#off] : []),
+      ...(shownGroups.length > MAX_ROWS ? [this.#more] : []),
+      ...(this.#rulesOff.length > 0 ? [this.#rulesOffRow] : []),
     ]);
   }
 
-  #renderOff(): void {
+  #renderRulesOff(): void {
     const { language } = this.#shell;
     const strings = WORDS[language];
     const shown = JSON.stringify([language, this.#rulesOff]);
-    if (shown === this.#offShown) return;
-    this.#offShown = shown;
+    if (shown === this.#shownRulesOff) return;
+    this.#shownRulesOff = shown;
     const buttons = this.#rulesOff.map((slug) => {
       const button = make('button', { type: 'button', className: 'fix' }, strings.showRule(slug));
-      button.addEventListener('click', () => this.#set(slug, ''));
+      button.addEventListener('click', () => this.#setRule(slug, ''));
       return button;
     });
-    this.#off.replaceChildren(strings.rulesOff(this.#rulesOff.length), ' ', ...buttons);
+    this.#rulesOffRow.replaceChildren(strings.rulesOff(this.#rulesOff.length), ' ', ...buttons);
   }
 
   /** Everything a row shows, as a key. */
-  #shows(group: Group): string {
+  #rowKey(group: Group): string {
     const [{ severity, kind, code, slug, alarm, message, line, column, fixes }] = group;
-    const whole = this.#whole.has(keyOf(group));
+    const isExpanded = this.#expandedGroups.has(keyOf(group));
     const others =
       group.length === 1
         ? []
-        : group.slice(1, whole ? SHOWN : PLACES).map((other) => [other.line, other.column, other.message]);
+        : group
+            .slice(1, isExpanded ? MAX_ROWS : MAX_COLLAPSED_PLACES)
+            .map((other) => [other.line, other.column, other.message]);
     const titles = fixes.map(({ title }) => title);
     return JSON.stringify([
       this.#shell.language,
@@ -193,57 +195,57 @@ class Problems implements Panel {
       column,
       titles,
       group.length,
-      whole,
+      isExpanded,
       others,
     ]);
   }
 
   /** Reuses the row with the same content, or makes a new one. */
   #row(group: Group): Row {
-    const known = this.#rows.get(this.#shows(group))?.shift();
-    if (known === undefined) return this.#made(group);
-    known.group = group;
-    return known;
+    const reused = this.#rows.get(this.#rowKey(group))?.shift();
+    if (reused === undefined) return this.#makeRow(group);
+    reused.group = group;
+    return reused;
   }
 
-  #made(group: Group): Row {
+  #makeRow(group: Group): Row {
     const { language } = this.#shell;
     const strings = WORDS[language];
     const [first] = group;
     const row: Row = { element: make('li'), group };
-    row.element.append(this.#problem(row), ruleLink(first, language));
-    if (first.severity !== 'error') row.element.append(this.#hide(first.slug));
-    if (group.length > 1) row.element.append(this.#others(row));
+    row.element.append(this.#problemButton(row), ruleLink(first, language));
+    if (first.severity !== 'error') row.element.append(this.#hideRuleButton(first.slug));
+    if (group.length > 1) row.element.append(this.#otherPlaces(row));
     const fixes = first.fixes.map((fix, at) => {
-      const repair = make('button', { type: 'button', className: 'fix' }, ...prose(strings.fix(fix.title)));
-      repair.addEventListener('click', () => this.#make(row.group[0].fixes[at]));
-      return repair;
+      const fixButton = make('button', { type: 'button', className: 'fix' }, ...renderProse(strings.fix(fix.title)));
+      fixButton.addEventListener('click', () => this.#applyFix(row.group[0].fixes[at]));
+      return fixButton;
     });
     if (fixes.length > 0) row.element.append(make('div', { className: 'fixes' }, ...fixes));
     return row;
   }
 
   /** The first problem of a group; a click selects its place. */
-  #problem(row: Row): HTMLButtonElement {
+  #problemButton(row: Row): HTMLButtonElement {
     const { language } = this.#shell;
-    const [strings, said] = [WORDS[language], PROBLEM_WORDS[language]];
+    const [strings, labels] = [WORDS[language], PROBLEM_WORDS[language]];
     const [diagnostic] = row.group;
     const count = row.group.length;
     const facts = [
       strings.place(diagnostic.line, diagnostic.column),
-      said.kind[diagnostic.kind],
+      labels.kind[diagnostic.kind],
       diagnostic.alarm === diagnostic.code ? '' : diagnostic.code,
     ];
-    if (diagnostic.alarm !== undefined) facts.push(said.alarm(diagnostic.alarm));
+    if (diagnostic.alarm !== undefined) facts.push(labels.alarm(diagnostic.alarm));
     const button = make(
       'button',
       { type: 'button', className: `problem ${diagnostic.severity}` },
       icon(diagnostic.severity),
-      make('span', { className: 'unseen' }, `${said.severity[diagnostic.severity]}: `),
+      make('span', { className: 'unseen' }, `${labels.severity[diagnostic.severity]}: `),
       make(
         'span',
         { className: 'what' },
-        make('span', { className: 'message' }, ...prose(diagnostic.message)),
+        make('span', { className: 'message' }, ...renderProse(diagnostic.message)),
         ...(count > 1 ? [' ', make('span', { className: 'count' }, strings.times(count))] : []),
         ' ',
         make('span', { className: 'facts' }, facts.filter((fact) => fact !== '').join(' · ')),
@@ -253,20 +255,20 @@ class Problems implements Panel {
     return button;
   }
 
-  #hide(slug: string): HTMLButtonElement {
+  #hideRuleButton(slug: string): HTMLButtonElement {
     const button = make('button', { type: 'button', className: 'hide-rule' }, icon('whole'));
-    name(button, WORDS[this.#shell.language].hideRule(slug));
-    button.addEventListener('click', () => this.#set(slug, 'off'));
+    setAccessibleName(button, WORDS[this.#shell.language].hideRule(slug));
+    button.addEventListener('click', () => this.#setRule(slug, 'off'));
     return button;
   }
 
   /** The other places of a group. */
-  #others(row: Row): HTMLElement {
+  #otherPlaces(row: Row): HTMLElement {
     const { language } = this.#shell;
     const strings = WORDS[language];
     const { group } = row;
     const key = keyOf(group);
-    const end = this.#whole.has(key) ? SHOWN : PLACES;
+    const end = this.#expandedGroups.has(key) ? MAX_ROWS : MAX_COLLAPSED_PLACES;
     const places = group.slice(1, end).map((problem, at) => {
       const place = make(
         'button',
@@ -280,19 +282,19 @@ class Problems implements Panel {
       return place;
     });
     const others = make('div', { className: 'other-places' }, strings.also, ...places);
-    const left = group.length - end;
-    if (left <= 0) return others;
-    if (end === SHOWN) {
-      others.append(strings.moreProblems(left));
+    const rest = group.length - end;
+    if (rest <= 0) return others;
+    if (end === MAX_ROWS) {
+      others.append(strings.moreProblems(rest));
       return others;
     }
-    const all = make('button', { type: 'button', className: 'place' }, strings.morePlaces(left));
+    const all = make('button', { type: 'button', className: 'place' }, strings.morePlaces(rest));
     all.addEventListener('click', () => {
-      this.#whole.add(key);
+      this.#expandedGroups.add(key);
       this.#render();
       // The list was rendered again, so find the new row.
-      const shown = this.#rows.get(this.#shows(row.group))?.[0];
-      shown?.element.querySelectorAll<HTMLButtonElement>('.place')[PLACES - 1]?.focus();
+      const shown = this.#rows.get(this.#rowKey(row.group))?.[0];
+      shown?.element.querySelectorAll<HTMLButtonElement>('.place')[MAX_COLLAPSED_PLACES - 1]?.focus();
     });
     others.append(all);
     return others;

@@ -8,20 +8,20 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import { download } from '../editor/program-files';
-import type { ProfileKind, ProfilesRead, Profiles } from '../protocol/protocol';
-import { chosenMachine, forgetProfile, keepProfile, profile, profileNames } from './profiles-kept';
+import type { ProfileKind, ProfilesResult, Profiles } from '../protocol/protocol';
+import { chosenMachine, deleteProfile, saveProfile, storedProfile, storedProfileNames } from './stored-profiles';
 
 /** A setup is short: a longer file is rejected. */
-const MOST_BYTES = 1 << 20;
+const MAX_FILE_BYTES = 1 << 20;
 const KINDS = ['machine', 'tools'] as const;
 
-export interface ProfilesEvents {
+interface ProfilesEvents {
   /** `name` undefined: no particular machine. */
-  taken(kind: ProfileKind, name: string | undefined): void;
+  onApply(kind: ProfileKind, name: string | undefined): void;
   /** Undefined if there is no worker. */
-  read(json: string): Promise<ProfilesRead | undefined>;
+  read(json: string): Promise<ProfilesResult | undefined>;
   /** The stored profiles have changed. */
-  changed(): void;
+  onChange(): void;
 }
 
 export class ProfilesDialog {
@@ -29,11 +29,11 @@ export class ProfilesDialog {
   readonly #lists = make('div', { className: 'profile-lists' });
   readonly #import = make('button', { type: 'button', className: 'framed' });
   readonly #file = make('input', { type: 'file', hidden: true, accept: '.json,application/json' });
-  readonly #news = make('p', { className: 'news', role: 'status' });
+  readonly #status = make('p', { className: 'news', role: 'status' });
   readonly #dialog: Dialog;
   #language: Language;
   /** The profiles of the program, and the name that its machine is stored under. */
-  #own: Profiles = {};
+  #current: Profiles = {};
   #machine: string | undefined;
 
   constructor(language: Language, events: ProfilesEvents) {
@@ -42,13 +42,13 @@ export class ProfilesDialog {
     this.#dialog = new Dialog(
       'profiles',
       [make('div', { className: 'text' }, this.#lists), this.#file],
-      [this.#news, this.#import],
+      [this.#status, this.#import],
     );
     this.#import.addEventListener('click', () => this.#file.click());
     this.#file.addEventListener('change', () => {
       const file = this.#file.files?.[0];
       this.#file.value = '';
-      if (file !== undefined) void this.#read(file);
+      if (file !== undefined) void this.#importFile(file);
     });
     this.language = language;
   }
@@ -56,7 +56,7 @@ export class ProfilesDialog {
   set language(language: Language) {
     this.#language = language;
     const texts = WORDS[language];
-    this.#dialog.name(texts.title, COMMON[language].close);
+    this.#dialog.setTexts(texts.title, COMMON[language].close);
     this.#dialog.about = texts.about;
     this.#import.textContent = texts.import;
     this.#file.setAttribute('aria-label', texts.import);
@@ -72,68 +72,68 @@ export class ProfilesDialog {
   }
 
   show(own: Profiles, machine: string | undefined): void {
-    this.#own = own;
+    this.#current = own;
     this.#machine = machine;
-    this.#news.textContent = '';
+    this.#status.textContent = '';
     this.#render();
     this.#dialog.show();
   }
 
   #render(): void {
-    this.#lists.replaceChildren(...KINDS.map((kind) => this.#list(kind)));
+    this.#lists.replaceChildren(...KINDS.map((kind) => this.#renderList(kind)));
   }
 
-  #list(kind: ProfileKind): HTMLElement {
+  #renderList(kind: ProfileKind): HTMLElement {
     const texts = WORDS[this.#language];
     const title = texts.titles[kind];
-    const rows = profileNames(kind).map((name) => this.#row(kind, name));
-    const none = kind === 'machine' && chosenMachine() !== undefined ? [this.#none()] : [];
+    const rows = storedProfileNames(kind).map((name) => this.#renderRow(kind, name));
+    const none = kind === 'machine' && chosenMachine() !== undefined ? [this.#noMachineRow()] : [];
     const list =
       rows.length === 0 ? make('p', { className: 'about' }, texts.nothing[kind]) : make('ul', {}, ...none, ...rows);
-    return make('section', { 'aria-label': title }, make('h3', {}, title), list, this.#keeper(kind));
+    return make('section', { 'aria-label': title }, make('h3', {}, title), list, this.#saveForm(kind));
   }
 
-  #row(kind: ProfileKind, name: string): HTMLElement {
+  #renderRow(kind: ProfileKind, name: string): HTMLElement {
     const texts = WORDS[this.#language];
     const button = (text: string, act: () => void): HTMLElement => {
-      const made = make('button', { type: 'button', className: 'framed', 'aria-label': `${text}: ${name}` }, text);
-      made.addEventListener('click', act);
-      return made;
+      const element = make('button', { type: 'button', className: 'framed', 'aria-label': `${text}: ${name}` }, text);
+      element.addEventListener('click', act);
+      return element;
     };
-    const isTaken = kind === 'machine' && name === this.#machine;
-    const label = make('span', { className: 'profile-name' }, isTaken ? texts.inUse(name) : name);
+    const isInUse = kind === 'machine' && name === this.#machine;
+    const label = make('span', { className: 'profile-name' }, isInUse ? texts.inUse(name) : name);
     return make(
       'li',
       {},
       label,
       button(texts.use, () => {
         this.#dialog.close();
-        this.#events.taken(kind, name);
+        this.#events.onApply(kind, name);
       }),
-      button(texts.export, () => download(`${name}.json`, new TextEncoder().encode(profile(kind, name) ?? '{}'))),
+      button(texts.export, () => download(`${name}.json`, new TextEncoder().encode(storedProfile(kind, name) ?? '{}'))),
       button(texts.delete, () => {
-        forgetProfile(kind, name);
-        this.#changed(texts.deleted(name));
+        deleteProfile(kind, name);
+        this.#onStored(texts.deleted(name));
       }),
     );
   }
 
   /** The button that returns to no particular machine. */
-  #none(): HTMLElement {
+  #noMachineRow(): HTMLElement {
     const texts = WORDS[this.#language];
     const button = make('button', { type: 'button', className: 'framed' }, texts.noMachine);
     button.addEventListener('click', () => {
       this.#dialog.close();
-      this.#events.taken('machine', undefined);
+      this.#events.onApply('machine', undefined);
     });
     return make('li', {}, button);
   }
 
   /** Stores the current profile of the program under a name. */
-  #keeper(kind: ProfileKind): HTMLElement {
+  #saveForm(kind: ProfileKind): HTMLElement {
     const texts = WORDS[this.#language];
-    const json = this.#own[kind];
-    if (json === undefined) return make('p', { className: 'about' }, texts.nothingSaid[kind]);
+    const json = this.#current[kind];
+    if (json === undefined) return make('p', { className: 'about' }, texts.nothingSet[kind]);
     const input = make('input', {
       type: 'text',
       id: `keep-${kind}`,
@@ -144,40 +144,40 @@ export class ProfilesDialog {
     const form = make(
       'form',
       {},
-      make('label', { htmlFor: input.id }, texts.keepAs[kind]),
+      make('label', { htmlFor: input.id }, texts.saveAs[kind]),
       input,
-      make('button', { type: 'submit', className: 'framed', 'aria-label': texts.keepAs[kind] }, texts.keep),
+      make('button', { type: 'submit', className: 'framed', 'aria-label': texts.saveAs[kind] }, texts.save),
     );
     form.addEventListener('submit', (event) => {
       event.preventDefault();
       const name = input.value.trim();
       if (name === '') return;
-      keepProfile(kind, name, json);
-      this.#changed(texts.kept(name));
+      saveProfile(kind, name, json);
+      this.#onStored(texts.saved(name));
     });
     return form;
   }
 
-  async #read(file: File): Promise<void> {
+  async #importFile(file: File): Promise<void> {
     const texts = WORDS[this.#language];
-    if (file.size > MOST_BYTES) return this.#say(texts.noSetup(file.name));
+    if (file.size > MAX_FILE_BYTES) return this.#showStatus(texts.noSetup(file.name));
     const answer = await this.#events.read(await file.text());
     if (answer === undefined) return;
-    if (answer.kind === 'wrong') return this.#say(texts.wrong(file.name, answer.reason));
+    if (answer.kind === 'invalid') return this.#showStatus(texts.wrong(file.name, answer.reason));
     const name = file.name.replace(/\.json$/i, '');
     const kinds = KINDS.filter((kind) => answer.profiles[kind] !== undefined);
-    for (const kind of kinds) keepProfile(kind, name, answer.profiles[kind] ?? '{}');
-    this.#changed(kinds.length === 0 ? texts.noSetup(file.name) : texts.kept(name));
+    for (const kind of kinds) saveProfile(kind, name, answer.profiles[kind] ?? '{}');
+    this.#onStored(kinds.length === 0 ? texts.noSetup(file.name) : texts.saved(name));
   }
 
-  #changed(news: string): void {
+  #onStored(news: string): void {
     this.#render();
-    this.#say(news);
-    this.#events.changed();
+    this.#showStatus(news);
+    this.#events.onChange();
   }
 
-  #say(news: string): void {
-    this.#news.textContent = news;
+  #showStatus(news: string): void {
+    this.#status.textContent = news;
   }
 }
 
@@ -188,13 +188,13 @@ const WORDS = words({
       'Kept in this browser. A file holds a setup, which the command line reads with --setup. Your own programs begin with the machine you use.',
     titles: { machine: 'Machines', tools: 'Tool tables' },
     nothing: { machine: 'No machine is kept yet.', tools: 'No tool table is kept yet.' },
-    nothingSaid: {
+    nothingSet: {
       machine: 'The setup says nothing of the machine. Enter it in the setup form, then keep it here.',
       tools: 'The setup has no tools. Enter them in the setup form, then keep them here.',
     },
-    keepAs: { machine: 'Keep the machine of this program as', tools: 'Keep the tools of this program as' },
-    keep: 'Keep',
-    kept: (name: string) => `${name} is kept.`,
+    saveAs: { machine: 'Keep the machine of this program as', tools: 'Keep the tools of this program as' },
+    save: 'Keep',
+    saved: (name: string) => `${name} is kept.`,
     use: 'Use',
     inUse: (name: string) => `${name} (in use)`,
     noMachine: 'Use no machine',
@@ -210,13 +210,13 @@ const WORDS = words({
     about: '保存在此浏览器中。文件内容为设置，命令行用 --setup 读取。您自己的程序从所用机床开始。',
     titles: { machine: '机床', tools: '刀具表' },
     nothing: { machine: '尚未保存机床。', tools: '尚未保存刀具表。' },
-    nothingSaid: {
+    nothingSet: {
       machine: '设置中没有机床。请先在设置表中填写，再保存到这里。',
       tools: '设置中没有刀具。请先在设置表中填写，再保存到这里。',
     },
-    keepAs: { machine: '将此程序的机床保存为', tools: '将此程序的刀具保存为' },
-    keep: '保存',
-    kept: (name) => `已保存 ${name}。`,
+    saveAs: { machine: '将此程序的机床保存为', tools: '将此程序的刀具保存为' },
+    save: '保存',
+    saved: (name) => `已保存 ${name}。`,
     use: '使用',
     inUse: (name) => `${name}（使用中）`,
     noMachine: '不使用机床',
@@ -233,13 +233,13 @@ const WORDS = words({
       'Хранятся в этом браузере. В файле наладка, которую командная строка читает с --setup. Ваши программы начинаются с выбранного станка.',
     titles: { machine: 'Станки', tools: 'Таблицы инструментов' },
     nothing: { machine: 'Станков пока нет.', tools: 'Таблиц инструментов пока нет.' },
-    nothingSaid: {
+    nothingSet: {
       machine: 'О станке в наладке ничего нет. Укажите его в форме наладки и сохраните здесь.',
       tools: 'В наладке нет инструментов. Укажите их в форме наладки и сохраните здесь.',
     },
-    keepAs: { machine: 'Сохранить станок этой программы как', tools: 'Сохранить инструменты этой программы как' },
-    keep: 'Сохранить',
-    kept: (name) => `Сохранено: ${name}.`,
+    saveAs: { machine: 'Сохранить станок этой программы как', tools: 'Сохранить инструменты этой программы как' },
+    save: 'Сохранить',
+    saved: (name) => `Сохранено: ${name}.`,
     use: 'Выбрать',
     inUse: (name) => `${name} (выбран)`,
     noMachine: 'Без станка',

@@ -7,11 +7,11 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { ProfileKind } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
-import { late } from './late';
+import type { CoreEvent } from '../worker/core-client';
+import { loadPart } from './load-part';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import type { ProfilesDialog } from './profiles-dialog';
-import { chooseMachine, chosenMachine, profile } from './profiles-kept';
+import { chooseMachine, chosenMachine, storedProfile } from './stored-profiles';
 import profilesStyles from './profiles.css?inline';
 
 export const profiles: PanelKind = {
@@ -28,10 +28,10 @@ class Profiles implements Panel {
   #dialog: ProfilesDialog | undefined;
   /** Name of the chosen machine if the program runs on it. */
   #machine: string | undefined;
-  readonly places = {};
+  readonly elements = {};
   readonly services: Partial<Services> = {
     machineButton: () => this.#button,
-    ownSetup: () => chosenMachine()?.json ?? null,
+    defaultSetup: () => chosenMachine()?.json ?? null,
   };
 
   constructor(shell: Shell) {
@@ -44,23 +44,27 @@ class Profiles implements Panel {
     this.#render();
   }
 
-  get takesKeys(): boolean {
+  get capturesKeys(): boolean {
     return this.#dialog?.open ?? false;
   }
 
-  heard(event: Heard): void {
-    if (event.kind === 'report') void this.#compare();
+  onEvent(event: CoreEvent): void {
+    if (event.kind === 'report') void this.#compareMachines();
   }
 
   /**
    * Compares the machine of the program with the chosen one: an example has its own, and a comment may name another.
    */
-  async #compare(): Promise<void> {
+  async #compareMachines(): Promise<void> {
     const chosen = chosenMachine();
-    const own =
+    const current =
       chosen === undefined ? undefined : await this.#shell.ask('profiles-of-run', { json: this.#shell.setup ?? '{}' });
-    const given = chosen === undefined ? undefined : await this.#shell.ask('profiles-in', { json: chosen.json });
-    const same = given?.kind === 'profiles' && own !== undefined && own.machine === given.profiles.machine;
+    const chosenProfiles =
+      chosen === undefined ? undefined : await this.#shell.ask('profiles-in', { json: chosen.json });
+    const same =
+      chosenProfiles?.kind === 'profiles' &&
+      current !== undefined &&
+      current.machine === chosenProfiles.profiles.machine;
     const machine = same ? chosen?.name : undefined;
     if (machine === this.#machine) return;
     this.#machine = machine;
@@ -73,9 +77,9 @@ class Profiles implements Panel {
   }
 
   async #open(): Promise<void> {
-    const [own, part] = await Promise.all([
+    const [current, part] = await Promise.all([
       this.#shell.ask('profiles-of-run', { json: this.#shell.setup ?? '{}' }),
-      late(
+      loadPart(
         this.#shell,
         () => import('./profiles-dialog'),
         () => void this.#open(),
@@ -84,24 +88,24 @@ class Profiles implements Panel {
     if (part === undefined) return;
     if (this.#dialog === undefined) {
       this.#dialog = new part.ProfilesDialog(this.#shell.language, {
-        taken: (kind, name) => void this.#take(kind, name),
+        onApply: (kind, name) => void this.#apply(kind, name),
         read: (json) => this.#shell.ask('profiles-in', { json }),
-        changed: () => void this.#compare(),
+        onChange: () => void this.#compareMachines(),
       });
       this.#shell.region('dialogs').append(this.#dialog.element);
     }
-    this.#dialog.show(own ?? {}, this.#machine);
+    this.#dialog.show(current ?? {}, this.#machine);
   }
 
   /** Applies a profile; without a name, the program runs on no particular machine. */
-  async #take(kind: ProfileKind, name: string | undefined): Promise<void> {
+  async #apply(kind: ProfileKind, name: string | undefined): Promise<void> {
     if (kind === 'machine') chooseMachine(name);
-    const json = name === undefined ? '{}' : (profile(kind, name) ?? '{}');
+    const json = name === undefined ? '{}' : (storedProfile(kind, name) ?? '{}');
     const setup = await this.#shell.ask('with-profile', { json: this.#shell.setup ?? '{}', kind, profile: json });
     if (setup === undefined) return;
     this.#shell.changeSetup(setup === '' ? null : setup);
-    this.#shell.service('notice')(WORDS[this.#shell.language].taken(name), 'program-setup');
-    void this.#compare();
+    this.#shell.service('notice')(WORDS[this.#shell.language].applied(name), 'program-setup');
+    void this.#compareMachines();
     this.#button.focus();
   }
 }
@@ -110,7 +114,7 @@ const WORDS = words({
   en: {
     choose: 'Choose machine',
     machine: (name: string) => `Machine: ${name}`,
-    taken: (name: string | undefined) =>
+    applied: (name: string | undefined) =>
       name === undefined
         ? 'No machine is chosen now.'
         : `${name} is in the setup of this page now. Comments of the program override it.`,
@@ -118,12 +122,12 @@ const WORDS = words({
   zh: {
     choose: '选择机床',
     machine: (name) => `机床：${name}`,
-    taken: (name) => (name === undefined ? '现在未选择机床。' : `${name} 已写入本页的设置。程序注释优先。`),
+    applied: (name) => (name === undefined ? '现在未选择机床。' : `${name} 已写入本页的设置。程序注释优先。`),
   },
   ru: {
     choose: 'Выбрать станок',
     machine: (name) => `Станок: ${name}`,
-    taken: (name) =>
+    applied: (name) =>
       name === undefined ? 'Станок не выбран.' : `${name}: наладка этой страницы. Комментарии программы важнее.`,
   },
 });

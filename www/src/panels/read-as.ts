@@ -7,7 +7,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { ReadAs, ReadFact } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import type { Panel, PanelKind, Shell } from './panel';
 import readAsStyles from './read-as.css?inline';
 
@@ -23,14 +23,14 @@ class ReadAsLine implements Panel {
   readonly #element = make('div', { className: 'read-as', part: 'read-as', role: 'group' }, this.#facts, this.#change);
   #hasMachine = false;
   #read: ReadAs | undefined;
-  #isBeingRead = true;
+  #isReading = true;
   /** The rendered facts as text: an unchanged line is not rebuilt, so that a fact keeps the focus. */
-  #shown = '';
-  readonly places = { bar: [this.#element] };
+  #renderedKey = '';
+  readonly elements = { bar: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#change.addEventListener('click', () => this.#open(this.#read?.facts[0]?.key ?? FIRST_FIELD));
+    this.#change.addEventListener('click', () => this.#openField(this.#read?.facts[0]?.key ?? FIRST_FIELD));
   }
 
   set language(language: Language) {
@@ -44,19 +44,19 @@ class ReadAsLine implements Panel {
     this.#render();
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind !== 'report') return;
     this.#read = event.report.readAs;
     this.#render();
   }
 
-  begun(): void {
-    this.#isBeingRead = true;
+  onRunStarted(): void {
+    this.#isReading = true;
     this.#render();
   }
 
-  unreported(): void {
-    this.#isBeingRead = false;
+  onRunFailed(): void {
+    this.#isReading = false;
     this.#read = undefined;
     this.#render();
   }
@@ -64,25 +64,25 @@ class ReadAsLine implements Panel {
   #render(): void {
     const texts = WORDS[this.#shell.language];
     const facts = this.#read?.facts ?? [];
-    const without = this.#isBeingRead ? texts.reading : texts.notRead;
-    const shown = JSON.stringify([this.#shell.language, facts, facts.length === 0 ? without : '']);
-    if (shown === this.#shown) return;
-    this.#shown = shown;
-    const list = facts.flatMap((fact, at) => [at === 0 ? ' ' : texts.comma, this.#fact(fact)]);
-    this.#facts.replaceChildren(facts.length === 0 ? without : texts.readAs, ...list);
+    const placeholder = this.#isReading ? texts.reading : texts.notRead;
+    const shown = JSON.stringify([this.#shell.language, facts, facts.length === 0 ? placeholder : '']);
+    if (shown === this.#renderedKey) return;
+    this.#renderedKey = shown;
+    const list = facts.flatMap((fact, at) => [at === 0 ? ' ' : texts.comma, this.#renderFact(fact)]);
+    this.#facts.replaceChildren(facts.length === 0 ? placeholder : texts.readAs, ...list);
   }
 
-  #fact({ key, text, basis }: ReadFact): HTMLElement {
+  #renderFact({ key, text, basis }: ReadFact): HTMLElement {
     const texts = WORDS[this.#shell.language];
-    const said = basis === 'recognised' ? texts.recognised(text) : basis === 'set' ? texts.set(text) : text;
+    const label = basis === 'recognised' ? texts.recognised(text) : basis === 'set' ? texts.set(text) : text;
     const className = `fact ${basis}`;
-    if (key === undefined) return make('span', { className }, said);
-    const button = make('button', { type: 'button', className }, said);
-    button.addEventListener('click', () => this.#open(key));
+    if (key === undefined) return make('span', { className }, label);
+    const button = make('button', { type: 'button', className }, label);
+    button.addEventListener('click', () => this.#openField(key));
     return button;
   }
 
-  #open(key: string): void {
+  #openField(key: string): void {
     this.#shell.service('openSetup')('control', key);
   }
 }

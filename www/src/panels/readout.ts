@@ -7,11 +7,11 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { LengthUnit, Readout } from '../protocol/protocol';
-import { clock, countsOfUnknown } from './duration';
-import { inUnit, place, signed, symbol } from './lengths';
+import { formatClock, unknownCounts } from './duration';
+import { toUnit, formatCoordinate, formatSigned, unitSymbol } from './lengths';
 
-const NOTHING = '–';
-const METRES_A_FOOT = 0.3048;
+const NO_VALUE = '–';
+const METRES_PER_FOOT = 0.3048;
 
 /** A name and a value. The value does not move while its digits change. */
 class Cell {
@@ -74,7 +74,7 @@ export class ReadoutBoard {
     const texts = WORDS[language];
     this.element.setAttribute('aria-label', texts.readout);
     // Millimetres are the default and need no label.
-    const unit = this.#unit === 'mm' ? '' : `, ${symbol(this.#unit, language)}`;
+    const unit = this.#unit === 'mm' ? '' : `, ${unitSymbol(this.#unit, language)}`;
     this.#x.name = `X ⌀${unit}`;
     this.#y.name = `Y${unit}`;
     this.#z.name = `Z${unit}`;
@@ -97,13 +97,13 @@ export class ReadoutBoard {
     this.element.classList.toggle('idle', readout === undefined);
     this.#c.element.hidden = readout?.c === undefined;
     this.#y.element.hidden = readout?.y === undefined;
-    this.#y.value = readout?.y === undefined ? NOTHING : place(readout.y, this.#unit);
-    this.#x.value = readout === undefined ? NOTHING : place(readout.stroke.atX, this.#unit);
-    this.#z.value = readout === undefined ? NOTHING : place(readout.stroke.atZ, this.#unit);
-    this.#c.value = readout?.c === undefined ? NOTHING : `${signed(readout.c, 2)}°`;
+    this.#y.value = readout?.y === undefined ? NO_VALUE : formatCoordinate(readout.y, this.#unit);
+    this.#x.value = readout === undefined ? NO_VALUE : formatCoordinate(readout.stroke.atX, this.#unit);
+    this.#z.value = readout === undefined ? NO_VALUE : formatCoordinate(readout.stroke.atZ, this.#unit);
+    this.#c.value = readout?.c === undefined ? NO_VALUE : `${formatSigned(readout.c, 2)}°`;
     this.#feed.value = this.#feedText(readout);
     this.#feed.hint = readout?.locked === true ? WORDS[this.#language].locked : '';
-    this.#spindle.value = this.#with(readout?.rpm, 0, WORDS[this.#language].turns);
+    this.#spindle.value = this.#withUnit(readout?.rpm, 0, WORDS[this.#language].turns);
     this.#surface.value = this.#surfaceText(readout?.surfaceSpeed);
     this.#time.value = this.#timeText(readout);
     this.#time.hint = WORDS[this.#language].unknownTime(
@@ -113,16 +113,16 @@ export class ReadoutBoard {
     this.#tool.value = this.#toolText(readout);
   }
 
-  #with(value: number | undefined, digits: number, unit: string): string {
-    return value === undefined ? NOTHING : `${value.toFixed(digits)} ${unit}`;
+  #withUnit(value: number | undefined, digits: number, unit: string): string {
+    return value === undefined ? NO_VALUE : `${value.toFixed(digits)} ${unit}`;
   }
 
   /** m/min, or ft/min if lengths are in inches. */
   #surfaceText(metres: number | undefined): string {
     const { metres: metric, feet } = WORDS[this.#language];
     return this.#unit === 'mm'
-      ? this.#with(metres, 0, metric)
-      : this.#with(metres === undefined ? undefined : metres / METRES_A_FOOT, 0, feet);
+      ? this.#withUnit(metres, 0, metric)
+      : this.#withUnit(metres === undefined ? undefined : metres / METRES_PER_FOOT, 0, feet);
   }
 
   /** The programmed feed, then the resulting one. */
@@ -130,38 +130,38 @@ export class ReadoutBoard {
     const texts = WORDS[this.#language];
     if (readout?.stroke.kind === 'rapid') return COMMON[this.#language].rapid;
     const metric = this.#unit === 'mm';
-    const turn = readout?.feedPerTurn === undefined ? undefined : inUnit(readout.feedPerTurn, this.#unit);
-    const minute = readout?.feed === undefined ? undefined : inUnit(readout.feed, this.#unit);
-    const unit = symbol(this.#unit, this.#language);
+    const turn = readout?.feedPerTurn === undefined ? undefined : toUnit(readout.feedPerTurn, this.#unit);
+    const minute = readout?.feed === undefined ? undefined : toUnit(readout.feed, this.#unit);
+    const unit = unitSymbol(this.#unit, this.#language);
     const parts = [
-      turn === undefined ? '' : `${trimmed(turn, metric ? 4 : 5)} ${texts.perTurn(unit)}`,
+      turn === undefined ? '' : `${formatTrimmed(turn, metric ? 4 : 5)} ${texts.perTurn(unit)}`,
       minute === undefined
         ? ''
-        : `${minute < 10 ? trimmed(minute, 2) : minute.toFixed(metric || minute >= 100 ? 0 : 1)} ${texts.perMinute(unit)}`,
+        : `${minute < 10 ? formatTrimmed(minute, 2) : minute.toFixed(metric || minute >= 100 ? 0 : 1)} ${texts.perMinute(unit)}`,
     ].filter((text) => text !== '');
     if (readout?.locked === true) parts.push(texts.override);
-    return parts.join(' · ') || NOTHING;
+    return parts.join(' · ') || NO_VALUE;
   }
 
   /** "0:12 / 1:38 + 102 rapids": rapids of unknown duration are counted, never guessed. */
   #timeText(readout: Readout | undefined): string {
-    if (readout === undefined) return NOTHING;
+    if (readout === undefined) return NO_VALUE;
     const { elapsed, total } = readout;
     const texts = WORDS[this.#language];
     if (total.seconds === 0 && total.unknownRapids + total.unknownCuts > 0) return texts.notKnown;
-    return `${clock(elapsed.seconds)} / ${clock(total.seconds)}${countsOfUnknown(total, this.#language)}`;
+    return `${formatClock(elapsed.seconds)} / ${formatClock(total.seconds)}${unknownCounts(total, this.#language)}`;
   }
 
   #toolText(readout: Readout | undefined): string {
     const { tool, toolKind, toolInferred } = readout ?? {};
     const texts = WORDS[this.#language];
-    const said = [tool, toolKind].filter((text) => text !== undefined && text !== '').join(' ');
-    if (said === '') return NOTHING;
-    return toolInferred === true ? texts.assumed(said) : said;
+    const description = [tool, toolKind].filter((text) => text !== undefined && text !== '').join(' ');
+    if (description === '') return NO_VALUE;
+    return toolInferred === true ? texts.assumed(description) : description;
   }
 }
 
-function trimmed(value: number, digits: number): string {
+function formatTrimmed(value: number, digits: number): string {
   return value
     .toFixed(digits)
     .replace(/(\.\d*?)0+$/, '$1')

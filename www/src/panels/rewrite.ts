@@ -28,11 +28,11 @@ class Rewrite implements Panel {
   });
   readonly #list = make('ul', { className: 'rewritings' });
   readonly #dialog = new Dialog('rewrite', [this.#list]);
-  readonly places = { foot: [this.#button], dialogs: [this.#dialog.element] };
+  readonly elements = { foot: [this.#button], dialogs: [this.#dialog.element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#button.addEventListener('click', () => void this.#offer());
+    this.#button.addEventListener('click', () => void this.#showOffers());
     this.available = false;
   }
 
@@ -40,7 +40,7 @@ class Rewrite implements Panel {
     const texts = WORDS[language];
     this.#button.textContent = texts.button;
     this.#button.title = texts.hint;
-    this.#dialog.name(texts.title, COMMON[language].close);
+    this.#dialog.setTexts(texts.title, COMMON[language].close);
   }
 
   /** Whether there is a finished run with motions. */
@@ -52,17 +52,17 @@ class Rewrite implements Panel {
     return !this.#button.disabled;
   }
 
-  get takesKeys(): boolean {
+  get capturesKeys(): boolean {
     return this.#dialog.open;
   }
 
-  pressed({ event }: Key): 'own' | 'not-own' {
-    if (event.key !== 'Enter' || !event.altKey || event.composedPath()[0] instanceof HTMLInputElement) return 'not-own';
-    void this.#offer();
-    return 'own';
+  onKey({ event }: Key): 'handled' | 'ignored' {
+    if (event.key !== 'Enter' || !event.altKey || event.composedPath()[0] instanceof HTMLInputElement) return 'ignored';
+    void this.#showOffers();
+    return 'handled';
   }
 
-  async #offer(): Promise<void> {
+  async #showOffers(): Promise<void> {
     const { editor } = this.#shell;
     if (!this.available) return;
     this.#shell.flush();
@@ -71,11 +71,11 @@ class Rewrite implements Panel {
     if (rewritings !== undefined && editor.revision === revision) this.#show(rewritings);
   }
 
-  #take({ edits, cycle }: Rewriting): void {
+  #apply({ edits, cycle }: Rewriting): void {
     const { editor, language } = this.#shell;
     editor.change(edits);
-    this.#shell.edited();
-    this.#shell.service('notice')(WORDS[language].took(cycle), 'program');
+    this.#shell.commitEdit();
+    this.#shell.service('notice')(WORDS[language].applied(cycle), 'program');
     editor.focus();
   }
 
@@ -84,23 +84,23 @@ class Rewrite implements Panel {
     this.#dialog.about = rewritings.length === 0 ? texts.none : texts.about;
     this.#list.hidden = rewritings.length === 0;
     const ordered = [...rewritings.filter(({ here }) => here), ...rewritings.filter(({ here }) => !here)];
-    this.#list.replaceChildren(...ordered.map((rewriting) => this.#item(rewriting)));
+    this.#list.replaceChildren(...ordered.map((rewriting) => this.#renderItem(rewriting)));
     this.#dialog.show();
     // Enter applies the offer at the cursor.
     this.#list.querySelector('button')?.focus();
   }
 
-  #item(rewriting: Rewriting): HTMLElement {
+  #renderItem(rewriting: Rewriting): HTMLElement {
     const texts = WORDS[this.#shell.language];
     const lines = texts.lines(rewriting.line, rewriting.endLine);
-    const take = make(
+    const applyButton = make(
       'button',
-      { type: 'button', className: 'framed', 'aria-label': `${texts.take}: ${lines}` },
-      texts.take,
+      { type: 'button', className: 'framed', 'aria-label': `${texts.apply}: ${lines}` },
+      texts.apply,
     );
-    take.addEventListener('click', () => {
+    applyButton.addEventListener('click', () => {
       this.#dialog.close();
-      this.#take(rewriting);
+      this.#apply(rewriting);
     });
     const code = (text: string): HTMLElement => make('pre', { lang: 'en' }, text);
     return make(
@@ -108,7 +108,7 @@ class Rewrite implements Panel {
       { className: rewriting.here ? 'here' : '' },
       make('h3', {}, rewriting.title),
       make('span', { className: 'lines' }, lines),
-      take,
+      applyButton,
       make(
         'div',
         { className: 'both' },
@@ -128,8 +128,8 @@ const WORDS = words({
     about: 'Each of these was tried: the motions stay the same.',
     none: 'No plain moves of this program form a G90, G92 or G94: rapid in, cut, out, and rapid back to the start point, each in a block of its own with nothing else in it.',
     lines: (first: number, last: number) => `Lines ${first} to ${last}`,
-    take: 'Write it so',
-    took: (cycle: string) =>
+    apply: 'Write it so',
+    applied: (cycle: string) =>
       `Written as ${cycle}; the motions are the same. Ctrl Z in the editor brings the moves back.`,
   },
   zh: {
@@ -139,8 +139,8 @@ const WORDS = words({
     about: '下列各项均已试运行：运动轨迹不变。',
     none: '此程序中没有构成 G90、G92 或 G94 的普通移动指令：快速进刀、切削、退刀、快速返回起点，各占一个程序段，且段内无其他指令。',
     lines: (first, last) => `第 ${first} 至 ${last} 行`,
-    take: '改写',
-    took: (cycle) => `已写成 ${cycle}，运动轨迹不变。在编辑器中按 Ctrl Z 可恢复原来的程序段。`,
+    apply: '改写',
+    applied: (cycle) => `已写成 ${cycle}，运动轨迹不变。在编辑器中按 Ctrl Z 可恢复原来的程序段。`,
   },
   ru: {
     button: 'Записать циклом…',
@@ -149,7 +149,7 @@ const WORDS = words({
     about: 'Каждая замена проверена: перемещения остаются теми же.',
     none: 'В этой программе нет простых перемещений, образующих G90, G92 или G94: ускоренный подвод, резание, отвод и ускоренный возврат в начальную точку, каждое в своём кадре, где больше ничего нет.',
     lines: (first, last) => `Строки ${first}–${last}`,
-    take: 'Записать так',
-    took: (cycle) => `Записано циклом ${cycle}, перемещения те же. Ctrl Z в редакторе вернёт прежние кадры.`,
+    apply: 'Записать так',
+    applied: (cycle) => `Записано циклом ${cycle}, перемещения те же. Ctrl Z в редакторе вернёт прежние кадры.`,
   },
 });

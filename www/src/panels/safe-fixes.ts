@@ -8,19 +8,19 @@ import type { Diagnostic, Fix } from '../protocol/protocol';
 type Edits = Fix['edits'];
 
 /** Number of diagnostics with a safe fix. */
-export function countSafe(diagnostics: readonly Diagnostic[]): number {
+export function countSafeFixes(diagnostics: readonly Diagnostic[]): number {
   return diagnostics.filter(({ fixes }) => fixes.some(({ safe }) => safe)).length;
 }
 
 /** The edits in source order. */
 export function safeEdits(diagnostics: readonly Diagnostic[]): Edits {
   const fixes = diagnostics.flatMap(({ fixes }) => fixes.find(({ safe, edits }) => safe && edits.length > 0) ?? []);
-  const whole = fixes.map(({ edits }) => ({ from: edits[0]!.from, to: edits.at(-1)!.to, edits }));
-  whole.sort((a, b) => a.from - b.from);
-  const taken: typeof whole = [];
-  for (const fix of whole) {
-    const last = taken.at(-1);
-    if (last === undefined || (last.to <= fix.from && last.from < fix.from)) taken.push(fix);
+  const ranges = fixes.map(({ edits }) => ({ from: edits[0]!.from, to: edits.at(-1)!.to, edits }));
+  ranges.sort((a, b) => a.from - b.from);
+  const accepted: typeof ranges = [];
+  for (const fix of ranges) {
+    const last = accepted.at(-1);
+    if (last === undefined || (last.to <= fix.from && last.from < fix.from)) accepted.push(fix);
   }
-  return taken.flatMap(({ edits }) => edits);
+  return accepted.flatMap(({ edits }) => edits);
 }

@@ -1,6 +1,6 @@
 // One field of the setup form: its label, unit, assumed value and error message.
 //
-// In: the field and its state. Out: `changed`. Must not know: the purpose of the field.
+// In: the field and its state. Out: `onChange`. Must not know: the purpose of the field.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -13,23 +13,23 @@ export class SetupInput {
   readonly #language: Language;
   readonly #input: HTMLInputElement | HTMLSelectElement;
   /** The empty option of a choice. */
-  readonly #none: HTMLOptionElement | undefined;
+  readonly #emptyOption: HTMLOptionElement | undefined;
   readonly #error: HTMLElement;
   /** The initial value. */
   readonly value: string;
 
-  constructor(field: SetupField, language: Language, changed: () => void) {
+  constructor(field: SetupField, language: Language, onChange: () => void) {
     const { key, label, unit, entry, choices, value } = field;
     this.key = key;
     this.#language = language;
     const id = `setup-${key}`;
     if (entry === 'choice') {
-      this.#none = make('option', { value: '' }, WORDS[language].nothing);
+      this.#emptyOption = make('option', { value: '' }, WORDS[language].nothing);
       this.#input = make(
         'select',
         { id },
-        this.#none,
-        ...choices.map((own) => make('option', { value: own.value }, own.text)),
+        this.#emptyOption,
+        ...choices.map((choice) => make('option', { value: choice.value }, choice.text)),
       );
     } else {
       const mode = entry === 'number' ? 'decimal' : 'text';
@@ -37,7 +37,7 @@ export class SetupInput {
     }
     this.#input.value = value;
     this.value = this.text;
-    this.#input.addEventListener('input', changed);
+    this.#input.addEventListener('input', onChange);
     this.#error = make('p', { className: 'error', id: `${id}-error`, hidden: true });
     const unitText = make('span', { className: 'unit', id: `${id}-unit` }, unit);
     this.#input.setAttribute('aria-describedby', `${id}-unit ${id}-error`);
@@ -61,19 +61,20 @@ export class SetupInput {
   set state(state: SetupState | undefined) {
     if (state === undefined) return;
     const { assumed, error, shown } = state;
-    const said = assumed === '' ? '' : WORDS[this.#language].placeholder(assumed);
-    if (this.#none !== undefined) this.#none.textContent = said === '' ? WORDS[this.#language].nothing : said;
-    else (this.#input as HTMLInputElement).placeholder = said;
+    const placeholder = assumed === '' ? '' : WORDS[this.#language].placeholder(assumed);
+    if (this.#emptyOption !== undefined)
+      this.#emptyOption.textContent = placeholder === '' ? WORDS[this.#language].nothing : placeholder;
+    else (this.#input as HTMLInputElement).placeholder = placeholder;
     this.#input.classList.toggle('unsaid', this.text === '');
     this.element.hidden = shown === 'hidden';
     this.#error.hidden = error === undefined;
     this.#error.textContent = error ?? '';
     this.#input.setAttribute('aria-invalid', String(error !== undefined));
-    if (error !== undefined) this.unfold();
+    if (error !== undefined) this.expand();
   }
 
   /** Opens the collapsed group that contains the field, if any. */
-  unfold(): void {
+  expand(): void {
     const folded = this.element.closest('details');
     if (folded !== null) folded.open = true;
   }

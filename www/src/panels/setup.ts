@@ -7,9 +7,9 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { SetupOverview, SetupAnswer, SetupForm, SetupGroup, SetupPlace, Setting } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import { InferredStock } from './inferred-stock';
-import { late } from './late';
+import { loadPart } from './load-part';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import setupStyles from './setup.css?inline';
 import type { SetupDialog, SetupEntries } from './setup-form';
@@ -29,10 +29,10 @@ class Setup implements Panel {
   /** Loaded when it is first opened. */
   #form: SetupDialog | undefined;
   #overview: SetupOverview | undefined;
-  readonly places: Panel['places'];
+  readonly elements: Panel['elements'];
   readonly services: Partial<Services> = {
     openSetup: (group, key) => void this.#open(group, key),
-    takeSetting: (setting) => void this.#take(setting),
+    applySetting: (setting) => void this.#applySetting(setting),
   };
 
   constructor(shell: Shell) {
@@ -40,14 +40,14 @@ class Setup implements Panel {
     this.#inferredStock = new InferredStock({
       form: () => this.#ask(),
       read: (entries) => this.#read(entries),
-      taken: (answer, place) => {
-        this.#keep(answer, place);
+      onApplied: (answer, place) => {
+        this.#apply(answer, place);
         // The clicked button is removed.
         this.#button.focus();
       },
     });
     this.#button.addEventListener('click', () => void this.#open());
-    this.places = {
+    this.elements = {
       views: [make('div', { className: 'setup-bar', part: 'setup' }, this.#button, this.#inferredTools)],
       assumptions: [this.#inferredStock.element],
     };
@@ -57,20 +57,20 @@ class Setup implements Panel {
     const texts = WORDS[language];
     this.#button.textContent = texts.setup;
     this.#inferredTools.textContent = texts.toolsAssumed;
-    this.#inferredStock.speak(texts.stockAssumed, texts.useStock);
+    this.#inferredStock.setTexts(texts.stockAssumed, texts.useStock);
     if (this.#form !== undefined) this.#form.language = language;
     this.#render();
   }
 
-  get takesKeys(): boolean {
+  get capturesKeys(): boolean {
     return this.#form?.open ?? false;
   }
 
-  programReplaced(): void {
-    this.#form?.forget();
+  onProgramReplaced(): void {
+    this.#form?.clearUnapplied();
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind !== 'report') return;
     this.#overview = this.#inferredStock.overview = event.report.overview;
     this.#render();
@@ -81,7 +81,7 @@ class Setup implements Panel {
   }
 
   async #open(group?: SetupGroup['group'], key?: string): Promise<void> {
-    const load = late(
+    const load = loadPart(
       this.#shell,
       () => import('./setup-form'),
       () => void this.#open(group, key),
@@ -91,8 +91,8 @@ class Setup implements Panel {
     if (this.#form === undefined) {
       this.#form = new part.SetupDialog(this.#shell.language, {
         read: (entries) => this.#read(entries),
-        another: (word) => this.#shell.ask('another-tool', { word }),
-        kept: (answer, place) => this.#keep(answer, place),
+        toolGroup: (word) => this.#shell.ask('another-tool', { word }),
+        onApplied: (answer, place) => this.#apply(answer, place),
       });
       this.#shell.region('dialogs').append(this.#form.element);
     }
@@ -100,7 +100,7 @@ class Setup implements Panel {
   }
 
   /** Fills in one field as the user would; all other fields keep their values. */
-  async #take({ key, value }: Setting): Promise<void> {
+  async #applySetting({ key, value }: Setting): Promise<void> {
     if (value === undefined) return this.#open('control', key);
     const form = await this.#ask();
     if (form === undefined) return;
@@ -110,7 +110,7 @@ class Setup implements Panel {
     const keys = [...others.map((field) => field.key), key];
     const texts = [...others.map((field) => field.value), value];
     const answer = await this.#read({ keys, texts, keep: form.place });
-    if (answer !== undefined) this.#keep(answer, form.place);
+    if (answer !== undefined) this.#apply(answer, form.place);
   }
 
   #read(entries: SetupEntries): Promise<SetupAnswer | undefined> {
@@ -122,7 +122,7 @@ class Setup implements Panel {
     return this.#shell.ask('setup-form', undefined);
   }
 
-  #keep({ setup, edits }: SetupAnswer, place: SetupPlace): void {
+  #apply({ setup, edits }: SetupAnswer, place: SetupPlace): void {
     const { editor, language } = this.#shell;
     editor.change(edits);
     const texts = WORDS[language].kept;

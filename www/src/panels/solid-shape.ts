@@ -12,9 +12,9 @@ export interface Corner {
   readonly r: number;
 }
 
-export interface Body {
+interface Body {
   /** Three numbers for each point, mm; three indices in `triangles` for each triangle. */
-  readonly places: Float32Array;
+  readonly positions: Float32Array;
   readonly normals: Float32Array;
   readonly triangles: Uint32Array;
   /** Six numbers for each line, mm. */
@@ -22,12 +22,12 @@ export interface Body {
 }
 
 /** Start angle and sweep of the surface, radians: from the viewer, around the back, to up. */
-const FROM = Math.PI / 2;
-const TURN = (3 * Math.PI) / 2;
+const START_ANGLE = Math.PI / 2;
+const SWEEP = (3 * Math.PI) / 2;
 /** Flats in the three quarters: enough for a smooth outline, fewer if there are very many corners. */
-const FLATS = { least: 24, most: 144, places: 600_000 };
+const SEGMENTS = { min: 24, max: 144, points: 600_000 };
 /** A corner closer to the axis than this is on it, mm. */
-const ON_AXIS = 1e-4;
+const ON_AXIS_MM = 1e-4;
 /**
  * Arcs arrive as chords: a corner belongs to an arc if it turns by less than this angle, radians, and protrudes from
  * its neighbours by less than this height, mm.
@@ -42,9 +42,11 @@ export function outlinesOf({ outline, holes }: SectionPiece): Corner[][] {
 export function turnedBody(pieces: readonly SectionPiece[]): Body {
   const outlines = pieces.flatMap(outlinesOf);
   const corners = outlines.reduce((sum, outline) => sum + outline.length, 0);
-  const flats = Math.round(Math.min(FLATS.most, Math.max(FLATS.least, FLATS.places / (2 * Math.max(corners, 1)))));
-  const around = Array.from({ length: flats + 1 }, (_, flat) => {
-    const angle = FROM + (TURN * flat) / flats;
+  const segments = Math.round(
+    Math.min(SEGMENTS.max, Math.max(SEGMENTS.min, SEGMENTS.points / (2 * Math.max(corners, 1)))),
+  );
+  const around = Array.from({ length: segments + 1 }, (_, segment) => {
+    const angle = START_ANGLE + (SWEEP * segment) / segments;
     return { up: Math.cos(angle), near: Math.sin(angle) };
   });
   const builder = new Builder(around);
@@ -57,11 +59,11 @@ function addOutline(builder: Builder, outline: readonly Corner[]): void {
   const at = (index: number): Corner => outline[(index + count) % count] ?? { z: 0, r: 0 };
   for (let index = 0; index < count; index += 1) {
     const [from, to] = [at(index), at(index + 1)];
-    if (onAxis(from) && onAxis(to)) continue;
+    if (isOnAxis(from) && isOnAxis(to)) continue;
     const joints = [jointOf(at(index - 1), from, to), jointOf(from, to, at(index + 2))] as const;
     builder.addBand(from, to, normalAt(from, to, joints[0]), normalAt(from, to, joints[1]));
     builder.addSectionEdge(from, to);
-    if (joints[0].kind === 'sharp' && !onAxis(from)) builder.addRing(from);
+    if (joints[0].kind === 'sharp' && !isOnAxis(from)) builder.addRing(from);
   }
 }
 
@@ -79,7 +81,7 @@ function jointOf(a: Corner, b: Corner, c: Corner): Joint {
   const [first, second] = [length(a, b), length(b, c)];
   const height = (Math.min(first, second) * angle) / 8;
   // An edge on the axis belongs to no surface.
-  if (angle > SMOOTH.angle || height > SMOOTH.height || (onAxis(a) && onAxis(b)) || (onAxis(b) && onAxis(c)))
+  if (angle > SMOOTH.angle || height > SMOOTH.height || (isOnAxis(a) && isOnAxis(b)) || (isOnAxis(b) && isOnAxis(c)))
     return { kind: 'sharp' };
   // A long straight edge that an arc joins is tangent to it.
   if (first > 8 * second) return { kind: 'smooth', normal: before };
@@ -103,33 +105,33 @@ function length(a: Corner, b: Corner): number {
   return Math.hypot(b.z - a.z, b.r - a.r);
 }
 
-function onAxis({ r }: Corner): boolean {
-  return r < ON_AXIS;
+function isOnAxis({ r }: Corner): boolean {
+  return r < ON_AXIS_MM;
 }
 
 /** A direction perpendicular to the axis: its components up and towards the viewer. */
-interface Across {
+interface RadialDirection {
   readonly up: number;
   readonly near: number;
 }
 
 /** Collects the arrays of a body. */
 class Builder {
-  readonly #around: readonly Across[];
-  readonly #places: number[] = [];
+  readonly #around: readonly RadialDirection[];
+  readonly #positions: number[] = [];
   readonly #normals: number[] = [];
   readonly #triangles: number[] = [];
   readonly #edges: number[] = [];
 
-  constructor(around: readonly Across[]) {
+  constructor(around: readonly RadialDirection[]) {
     this.#around = around;
   }
 
   /** Adds the surface that an edge sweeps. */
   addBand(from: Corner, to: Corner, normalFrom: Direction, normalTo: Direction): void {
-    const first = this.#places.length / 3;
+    const first = this.#positions.length / 3;
     for (const { up, near } of this.#around) {
-      this.#places.push(from.z, from.r * up, from.r * near, to.z, to.r * up, to.r * near);
+      this.#positions.push(from.z, from.r * up, from.r * near, to.z, to.r * up, to.r * near);
       this.#normals.push(
         normalFrom.z,
         normalFrom.r * up,
@@ -139,8 +141,8 @@ class Builder {
         normalTo.r * near,
       );
     }
-    for (let flat = 0; flat + 1 < this.#around.length; flat += 1) {
-      const [a, b, c, d] = [0, 1, 2, 3].map((step) => first + 2 * flat + step) as [number, number, number, number];
+    for (let segment = 0; segment + 1 < this.#around.length; segment += 1) {
+      const [a, b, c, d] = [0, 1, 2, 3].map((step) => first + 2 * segment + step) as [number, number, number, number];
       this.#triangles.push(a, b, c, b, d, c);
     }
   }
@@ -160,7 +162,7 @@ class Builder {
 
   body(): Body {
     return {
-      places: new Float32Array(this.#places),
+      positions: new Float32Array(this.#positions),
       normals: new Float32Array(this.#normals),
       triangles: new Uint32Array(this.#triangles),
       edges: new Float32Array(this.#edges),

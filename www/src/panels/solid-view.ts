@@ -33,20 +33,20 @@ import { boreOf, type Bore } from './solid-holes';
 import { outlinesOf, turnedBody, type Corner } from './solid-shape';
 
 /** Direction of the reset view: from the right front, a little above. */
-const FIRST_VIEW = new Vector3(0.62, 0.62, 1).normalize();
+const DEFAULT_VIEW = new Vector3(0.62, 0.62, 1).normalize();
 /** Degrees. Narrow, so that parallel edges stay nearly parallel. */
-const FIELD_OF_VIEW = 24;
+const FIELD_OF_VIEW_DEGREES = 24;
 const KEY_TURN = Math.PI / 24;
 const KEY_ZOOM = 1.15;
 /** Hatch lines across the longer side of a part. */
 const HATCH_LINES = 40;
 /** The centre line extends beyond the part by this fraction of its length. */
-const CENTER_LINE_OVER = 0.08;
+const CENTER_LINE_OVERHANG = 0.08;
 /** Brightness of a hole, as a fraction of that of the surface. */
-const HOLE_LIGHT = 0.22;
-const HOLE_FLATS = 32;
+const HOLE_BRIGHTNESS = 0.22;
+const HOLE_SEGMENTS = 32;
 /** The quarter that is cut away: above the axis and towards the viewer. */
-const CUT_AWAY = [new Plane(new Vector3(0, -1, 0)), new Plane(new Vector3(0, 0, -1))];
+const CLIPPING_PLANES = [new Plane(new Vector3(0, -1, 0)), new Plane(new Vector3(0, 0, -1))];
 
 /** Lines at 45° that stay sharp at any zoom. */
 const HATCH = {
@@ -64,8 +64,8 @@ const HATCH = {
     void main() {
       float across = (place.x - place.y) / spacing;
       float blur = fwidth(across);
-      float beside = abs(fract(across) - 0.5);
-      float line = 1.0 - smoothstep(blur * 0.2, blur * 1.0, beside);
+      float offset = abs(fract(across) - 0.5);
+      float line = 1.0 - smoothstep(blur * 0.2, blur * 1.0, offset);
       // Where lines would run into each other, their mean.
       line = mix(line, 0.2, smoothstep(0.25, 0.6, blur));
       gl_FragColor = vec4(mix(ground, lines, 0.8 * line), 1.0);
@@ -77,7 +77,7 @@ export class SolidView {
   readonly canvas: HTMLCanvasElement;
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
-  readonly #camera = new PerspectiveCamera(FIELD_OF_VIEW);
+  readonly #camera = new PerspectiveCamera(FIELD_OF_VIEW_DEGREES);
   readonly #controls: OrbitControls;
   readonly #body = new Group();
   readonly #surface = new MeshPhongMaterial({
@@ -94,18 +94,18 @@ export class SolidView {
     polygonOffsetUnits: 1,
     uniforms: { ground: { value: new Color() }, lines: { value: new Color() }, spacing: { value: 1 } },
   });
-  readonly #drilled = new Group();
-  readonly #hole = new MeshBasicMaterial({ clippingPlanes: CUT_AWAY, clipIntersection: true });
+  readonly #holes = new Group();
+  readonly #hole = new MeshBasicMaterial({ clippingPlanes: CLIPPING_PLANES, clipIntersection: true });
   readonly #holeInCut = new MeshBasicMaterial({ side: DoubleSide });
   readonly #edge = new LineBasicMaterial();
   readonly #axis = new LineBasicMaterial();
-  readonly #sky = new HemisphereLight(0xffffff, 0x8c8780, 1.6);
-  readonly #lamp = new DirectionalLight(0xffffff, 1.5);
-  readonly #dark = matchMedia('(prefers-color-scheme: dark)');
-  readonly #sizes: ResizeObserver;
-  readonly #recolour = (): void => {
-    this.#colour();
-    this.#want();
+  readonly #ambientLight = new HemisphereLight(0xffffff, 0x8c8780, 1.6);
+  readonly #light = new DirectionalLight(0xffffff, 1.5);
+  readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
+  readonly #sizeObserver: ResizeObserver;
+  readonly #onColoursChange = (): void => {
+    this.#applyColours();
+    this.#scheduleFrame();
   };
   #frame: number | undefined;
   /** The box that the reset view fits: middle, half of the length, and radius; mm. */
@@ -115,24 +115,24 @@ export class SolidView {
     this.canvas = canvas;
     this.#renderer = new WebGLRenderer({ canvas, context, antialias: true });
     this.#renderer.localClippingEnabled = true;
-    this.#lamp.position.set(-0.6, 1, 0.9);
-    this.#camera.add(this.#lamp);
-    this.#scene.add(this.#sky, this.#camera, this.#body, this.#drilled);
+    this.#light.position.set(-0.6, 1, 0.9);
+    this.#camera.add(this.#light);
+    this.#scene.add(this.#ambientLight, this.#camera, this.#body, this.#holes);
     this.#controls = new OrbitControls(this.#camera, canvas);
-    this.#controls.addEventListener('change', () => this.#want());
-    canvas.addEventListener('keydown', (event) => this.#key(event));
-    this.#dark.addEventListener('change', this.#recolour);
-    this.#sizes = new ResizeObserver(() => this.#resize());
-    this.#sizes.observe(canvas);
-    this.#colour();
+    this.#controls.addEventListener('change', () => this.#scheduleFrame());
+    canvas.addEventListener('keydown', (event) => this.#handleKey(event));
+    this.#darkScheme.addEventListener('change', this.#onColoursChange);
+    this.#sizeObserver = new ResizeObserver(() => this.#resize());
+    this.#sizeObserver.observe(canvas);
+    this.#applyColours();
     this.#resize();
   }
 
   set holes(holes: readonly DrilledHole[]) {
-    clear(this.#drilled);
+    clear(this.#holes);
     for (const bore of holes.map(boreOf))
-      this.#drilled.add(new Mesh(boreBody(bore), this.#hole), new Mesh(boreCuts(bore), this.#holeInCut));
-    this.#want();
+      this.#holes.add(new Mesh(boreGeometry(bore), this.#hole), new Mesh(boreCutGeometry(bore), this.#holeInCut));
+    this.#scheduleFrame();
   }
 
   set section(pieces: readonly SectionPiece[]) {
@@ -146,7 +146,7 @@ export class SolidView {
         this.reset();
       }
     }
-    this.#want();
+    this.#scheduleFrame();
   }
 
   /** Fits the whole part in the first view. */
@@ -155,8 +155,8 @@ export class SolidView {
     if (extents === undefined) return;
     const { middle, half, radius } = extents;
     this.#controls.target.set(middle, 0, 0);
-    const distance = this.#distanceFor(half * (1 + CENTER_LINE_OVER), radius);
-    this.#camera.position.copy(FIRST_VIEW).multiplyScalar(distance).add(this.#controls.target);
+    const distance = this.#distanceFor(half * (1 + CENTER_LINE_OVERHANG), radius);
+    this.#camera.position.copy(DEFAULT_VIEW).multiplyScalar(distance).add(this.#controls.target);
     const size = Math.hypot(half, radius);
     this.#camera.near = size / 20;
     this.#camera.far = distance + 40 * size;
@@ -164,17 +164,17 @@ export class SolidView {
     this.#controls.maxDistance = 4 * distance;
     this.#camera.updateProjectionMatrix();
     this.#controls.update();
-    this.#want();
+    this.#scheduleFrame();
   }
 
   /** Frees all resources of the graphics card. */
-  free(): void {
+  dispose(): void {
     if (this.#frame !== undefined) cancelAnimationFrame(this.#frame);
-    this.#sizes.disconnect();
-    this.#dark.removeEventListener('change', this.#recolour);
+    this.#sizeObserver.disconnect();
+    this.#darkScheme.removeEventListener('change', this.#onColoursChange);
     this.#controls.dispose();
     clear(this.#body);
-    clear(this.#drilled);
+    clear(this.#holes);
     for (const material of [this.#surface, this.#hatch, this.#hole, this.#holeInCut, this.#edge, this.#axis])
       material.dispose();
     this.#renderer.dispose();
@@ -185,9 +185,9 @@ export class SolidView {
   // ---- the body -----------------------------------------------------------------------------------
 
   #build(pieces: readonly SectionPiece[], corners: readonly Corner[]): void {
-    const { places, normals, triangles, edges } = turnedBody(pieces);
+    const { positions, normals, triangles, edges } = turnedBody(pieces);
     const surface = new BufferGeometry();
-    surface.setAttribute('position', new BufferAttribute(places, 3));
+    surface.setAttribute('position', new BufferAttribute(positions, 3));
     surface.setAttribute('normal', new BufferAttribute(normals, 3));
     surface.setIndex(new BufferAttribute(triangles, 1));
     const lines = new BufferGeometry();
@@ -199,21 +199,21 @@ export class SolidView {
       new Mesh(surface, this.#surface),
       new Mesh(cutFaces(pieces), this.#hatch),
       new LineSegments(lines, this.#edge),
-      this.#centerLine(middle, half * (1 + 2 * CENTER_LINE_OVER), size),
+      this.#centerLine(middle, half * (1 + 2 * CENTER_LINE_OVERHANG), size),
     );
   }
 
   /** Long and short dashes in turn, as in drawings; each is a separate line. */
   #centerLine(middle: number, half: number, size: number): LineSegments {
     const [long, short, gap] = [size / 14, size / 70, size / 70];
-    const places: number[] = [];
+    const positions: number[] = [];
     for (let at = middle - half, isLong = true; at < middle + half; isLong = !isLong) {
       const end = Math.min(at + (isLong ? long : short), middle + half);
-      places.push(at, 0, 0, end, 0, 0);
+      positions.push(at, 0, 0, end, 0, 0);
       at = end + gap;
     }
     const line = new BufferGeometry();
-    line.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
+    line.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
     return new LineSegments(line, this.#axis);
   }
 
@@ -221,22 +221,22 @@ export class SolidView {
 
   /** Distance at which a body of this half length and radius fills the picture of the reset view. */
   #distanceFor(half: number, radius: number): number {
-    const right = new Vector3(0, 1, 0).cross(FIRST_VIEW).normalize();
-    const up = FIRST_VIEW.clone().cross(right);
-    const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+    const right = new Vector3(0, 1, 0).cross(DEFAULT_VIEW).normalize();
+    const up = DEFAULT_VIEW.clone().cross(right);
+    const slope = Math.tan((FIELD_OF_VIEW_DEGREES * Math.PI) / 360);
     let distance = 0;
     for (let step = 0; step < 48; step += 1) {
       const angle = (step * Math.PI) / 24;
       for (const z of [-half, half]) {
         const place = new Vector3(z, radius * Math.cos(angle), radius * Math.sin(angle));
-        const beside = Math.max(Math.abs(place.dot(right)) / this.#camera.aspect, Math.abs(place.dot(up)));
-        distance = Math.max(distance, beside / slope + place.dot(FIRST_VIEW));
+        const extent = Math.max(Math.abs(place.dot(right)) / this.#camera.aspect, Math.abs(place.dot(up)));
+        distance = Math.max(distance, extent / slope + place.dot(DEFAULT_VIEW));
       }
     }
     return distance * 1.08;
   }
 
-  #key(event: KeyboardEvent): void {
+  #handleKey(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const turn: Readonly<Record<string, readonly [theta: number, phi: number]>> = {
       ArrowLeft: [-KEY_TURN, 0],
@@ -245,26 +245,26 @@ export class SolidView {
       ArrowDown: [0, KEY_TURN],
     };
     const [theta, phi] = turn[event.key] ?? [0, 0];
-    if (theta !== 0 || phi !== 0) this.#move(theta, phi, 1);
-    else if (event.key === '+' || event.key === '=') this.#move(0, 0, 1 / KEY_ZOOM);
-    else if (event.key === '-') this.#move(0, 0, KEY_ZOOM);
+    if (theta !== 0 || phi !== 0) this.#moveCamera(theta, phi, 1);
+    else if (event.key === '+' || event.key === '=') this.#moveCamera(0, 0, 1 / KEY_ZOOM);
+    else if (event.key === '-') this.#moveCamera(0, 0, KEY_ZOOM);
     else if (event.key === 'Home') this.reset();
     else return;
     event.preventDefault();
     event.stopPropagation();
   }
 
-  /** Turns the camera about the part by radians, and multiplies its distance by `farther`. */
-  #move(theta: number, phi: number, farther: number): void {
+  /** Turns the camera about the part by radians, and multiplies its distance by `factor`. */
+  #moveCamera(theta: number, phi: number, factor: number): void {
     const { target, minDistance, maxDistance } = this.#controls;
     const place = new Spherical().setFromVector3(this.#camera.position.clone().sub(target));
     place.theta += theta;
     place.phi += phi;
-    place.radius = Math.min(Math.max(place.radius * farther, minDistance), maxDistance);
+    place.radius = Math.min(Math.max(place.radius * factor, minDistance), maxDistance);
     place.makeSafe();
     this.#camera.position.setFromSpherical(place).add(target);
     this.#controls.update();
-    this.#want();
+    this.#scheduleFrame();
   }
 
   #resize(): void {
@@ -274,15 +274,16 @@ export class SolidView {
     this.#renderer.setSize(width, height, false);
     this.#camera.aspect = width / height;
     this.#camera.updateProjectionMatrix();
-    this.#want();
+    this.#scheduleFrame();
   }
 
-  #colour(): void {
-    const colour = (property: string): Color => new Color(resolved(this.canvas, property));
+  #applyColours(): void {
+    const colour = (property: string): Color => new Color(resolvedColour(this.canvas, property));
     this.#scene.background = colour('background');
     this.#surface.color = colour('solid');
     this.#surface.specular = new Color(0x2a2d30);
-    for (const material of [this.#hole, this.#holeInCut]) material.color = colour('solid').multiplyScalar(HOLE_LIGHT);
+    for (const material of [this.#hole, this.#holeInCut])
+      material.color = colour('solid').multiplyScalar(HOLE_BRIGHTNESS);
     this.#hatch.uniforms['ground'] = { value: colour('part') };
     this.#hatch.uniforms['lines'] = { value: colour('part-edge') };
     this.#edge.color = colour('ink');
@@ -290,7 +291,7 @@ export class SolidView {
   }
 
   /** Draws at most one picture per frame, and none while nothing moves. */
-  #want(): void {
+  #scheduleFrame(): void {
     this.#frame ??= requestAnimationFrame(() => {
       this.#frame = undefined;
       this.#renderer.render(this.#scene, this.#camera);
@@ -303,18 +304,18 @@ function clear(group: Group): void {
   group.clear();
 }
 
-function boreBody({ mouth, bottom, radius }: Bore): BufferGeometry {
+function boreGeometry({ mouth, bottom, radius }: Bore): BufferGeometry {
   const [first, last] = [new Vector3(...mouth), new Vector3(...bottom)];
-  const way = first.clone().sub(last);
-  const geometry = new CylinderGeometry(radius, radius, way.length(), HOLE_FLATS);
+  const axis = first.clone().sub(last);
+  const geometry = new CylinderGeometry(radius, radius, axis.length(), HOLE_SEGMENTS);
   // The axis of a cylinder is Y; `lookAt` turns Z.
   geometry.rotateX(Math.PI / 2);
-  geometry.lookAt(way);
+  geometry.lookAt(axis);
   return geometry.translate(...first.add(last).multiplyScalar(0.5).toArray());
 }
 
 /** Where the faces of the cut cross a hole. */
-function boreCuts({ cuts }: Bore): BufferGeometry {
+function boreCutGeometry({ cuts }: Bore): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(cuts.flat(2)), 3));
   geometry.setIndex(cuts.flatMap((_, cut) => [0, 1, 2, 0, 2, 3].map((corner) => 4 * cut + corner)));
@@ -323,24 +324,24 @@ function boreCuts({ cuts }: Bore): BufferGeometry {
 
 /** Both faces of the cut, one vertical and one horizontal. Their texture coordinates are section coordinates. */
 function cutFaces(pieces: readonly SectionPiece[]): BufferGeometry {
-  const places: number[] = [];
+  const positions: number[] = [];
   const section: number[] = [];
   const triangles: number[] = [];
   for (const piece of pieces) {
     const [outline = [], ...holes] = outlinesOf(piece).map((corners) => corners.map(({ z, r }) => new Vector2(z, r)));
     const found = ShapeUtils.triangulateShape(outline, holes);
-    for (const face of ['upright', 'lying'] as const) {
-      const first = places.length / 3;
+    for (const face of ['vertical', 'horizontal'] as const) {
+      const first = positions.length / 3;
       for (const { x: z, y: r } of [...outline, ...holes.flat()]) {
-        if (face === 'upright') places.push(z, r, 0);
-        else places.push(z, 0, r);
+        if (face === 'vertical') positions.push(z, r, 0);
+        else positions.push(z, 0, r);
         section.push(z, r);
       }
       for (const triangle of found) triangles.push(...triangle.map((corner) => first + corner));
     }
   }
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
   geometry.setAttribute('uv', new BufferAttribute(new Float32Array(section), 2));
   geometry.setIndex(triangles);
   return geometry;
@@ -355,10 +356,10 @@ function extentsOf(corners: readonly Corner[]): { middle: number; half: number; 
 }
 
 /** A colour of the page as the style sheet resolves it now. */
-function resolved(beside: HTMLElement, property: string): string {
+function resolvedColour(element: HTMLElement, property: string): string {
   const probe = document.createElement('span');
   probe.style.color = `var(--playground-${property})`;
-  beside.after(probe);
+  element.after(probe);
   const { color } = getComputedStyle(probe);
   probe.remove();
   return color;

@@ -5,72 +5,72 @@
 // Must not know: how the part was computed, or how a body is drawn.
 
 import { Dialog } from '../dom/dialog';
-import { make, name } from '../dom/dom';
+import { make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
-import { loaded, whenOnline } from '../dom/network';
+import { importWithRetry, whenOnline } from '../dom/network';
 import { COMMON, words } from '../dom/words';
 import type { DrilledHole, SectionPiece } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import type { NewestQuestion, Panel, PanelKind, Shell } from './panel';
 import type { SolidView } from './solid-view';
 import solidStyles from './solid.css?inline';
 
-type Missing = 'loading' | 'no-network' | 'no-part' | 'no-webgl';
+type Message = 'loading' | 'no-network' | 'no-part' | 'no-webgl';
 
 export const solid: PanelKind = { control: 'views', styles: solidStyles, make: (shell) => new Solid(shell) };
 
 class Solid implements Panel {
   readonly #shell: Shell;
-  readonly #pieces: NewestQuestion<'section'>;
-  readonly #drilled: NewestQuestion<'holes'>;
+  readonly #sectionQuestion: NewestQuestion<'section'>;
+  readonly #holesQuestion: NewestQuestion<'holes'>;
   readonly #button = make('button', {
     type: 'button',
     className: 'solid-button quiet outlined',
     'aria-haspopup': 'dialog',
   });
-  readonly #holder = make('div', { className: 'text solid-holder' });
+  readonly #container = make('div', { className: 'text solid-holder' });
   readonly #message = make('p', { className: 'empty', role: 'status' });
   readonly #reset = make('button', { type: 'button', className: 'framed' });
-  readonly #again = make('button', { type: 'button', className: 'framed', hidden: true });
-  readonly #dialog = new Dialog('solid', [this.#holder], [this.#reset]);
+  readonly #retry = make('button', { type: 'button', className: 'framed', hidden: true });
+  readonly #dialog = new Dialog('solid', [this.#container], [this.#reset]);
   #section: readonly SectionPiece[] | undefined;
   #holes: readonly DrilledHole[] = [];
   #view: SolidView | undefined;
-  #missing: Missing | undefined;
-  #stopWaiting: (() => void) | undefined;
+  #shownMessage: Message | undefined;
+  #cancelRetry: (() => void) | undefined;
 
-  readonly places = { foot: [this.#button], dialogs: [this.#dialog.element] };
+  readonly elements = { foot: [this.#button], dialogs: [this.#dialog.element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#pieces = shell.newest('section', (pieces) => {
+    this.#sectionQuestion = shell.newest('section', (pieces) => {
       if (pieces === undefined || !this.#dialog.open) return;
       this.#section = pieces;
       this.#showSection();
     });
-    this.#drilled = shell.newest('holes', (holes) => {
+    this.#holesQuestion = shell.newest('holes', (holes) => {
       if (holes === undefined || !this.#dialog.open) return;
       this.#holes = holes;
       if (this.#view !== undefined) this.#view.holes = holes;
     });
-    this.#holder.append(this.#message, this.#again);
-    this.#again.addEventListener('click', () => void this.#draw());
+    this.#container.append(this.#message, this.#retry);
+    this.#retry.addEventListener('click', () => void this.#draw());
     this.#button.addEventListener('click', () => void this.#show());
     this.#reset.addEventListener('click', () => this.#view?.reset());
-    this.#dialog.element.addEventListener('close', () => this.#free());
+    this.#dialog.element.addEventListener('close', () => this.#disposeView());
     this.available = false;
   }
 
   set language(language: Language) {
     const strings = WORDS[language];
     this.#button.textContent = strings.solid;
-    name(this.#button, `${strings.solid}: ${strings.solidHint}`);
-    this.#dialog.name(strings.solidTitle, COMMON[language].close);
+    setAccessibleName(this.#button, `${strings.solid}: ${strings.solidHint}`);
+    this.#dialog.setTexts(strings.solidTitle, COMMON[language].close);
     this.#dialog.about = strings.solidAbout;
     this.#reset.textContent = strings.solidReset;
-    this.#again.textContent = strings.solidAgain;
+    this.#retry.textContent = strings.solidRetry;
     this.#view?.canvas.setAttribute('aria-label', strings.solidView);
-    this.#tell(this.#missing);
+    this.#showMessage(this.#shownMessage);
   }
 
   /** Whether there is a finished run that may have produced a part. */
@@ -78,23 +78,23 @@ class Solid implements Panel {
     this.#button.disabled = !available;
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind === 'report') this.#ask();
   }
 
-  toolMoved(): void {
+  onToolMoved(): void {
     this.#ask();
   }
 
-  left(): void {
+  onDisconnected(): void {
     this.#dialog.close();
   }
 
   /** Asks only while the dialog is open. */
   #ask(): void {
     if (!this.#dialog.open) return;
-    this.#pieces.ask(undefined);
-    this.#drilled.ask(undefined);
+    this.#sectionQuestion.ask(undefined);
+    this.#holesQuestion.ask(undefined);
   }
 
   async #show(): Promise<void> {
@@ -105,24 +105,24 @@ class Solid implements Panel {
 
   /** Draws the part. If the view could not be loaded, tries again when the network returns. */
   async #draw(): Promise<void> {
-    this.#stopWaiting?.();
-    this.#tell('loading');
+    this.#cancelRetry?.();
+    this.#showMessage('loading');
     const canvas = make('canvas', { tabIndex: 0, role: 'img', 'aria-label': WORDS[this.#shell.language].solidView });
     const context = canvas.getContext('webgl2', { antialias: true });
     if (context === null) {
-      this.#tell('no-webgl');
+      this.#showMessage('no-webgl');
       return;
     }
     // Half a megabyte that most users never need.
-    const part = await loaded(() => import('./solid-view')).catch(() => undefined);
+    const part = await importWithRetry(() => import('./solid-view')).catch(() => undefined);
     // Closed meanwhile, or closed and opened again.
     if (!this.#dialog.open || this.#view !== undefined) return;
     if (part === undefined) {
-      this.#stopWaiting = whenOnline(() => void this.#draw());
-      this.#tell('no-network');
+      this.#cancelRetry = whenOnline(() => void this.#draw());
+      this.#showMessage('no-network');
       return;
     }
-    this.#holder.prepend(canvas);
+    this.#container.prepend(canvas);
     this.#view = new part.SolidView(canvas, context);
     this.#showSection();
     canvas.focus();
@@ -133,12 +133,12 @@ class Solid implements Panel {
     if (this.#view === undefined || section === undefined) return;
     this.#view.section = section;
     this.#view.holes = section.length === 0 ? [] : this.#holes;
-    this.#tell(section.length === 0 ? 'no-part' : undefined);
+    this.#showMessage(section.length === 0 ? 'no-part' : undefined);
   }
 
   /** Shows a message in place of the picture, or the picture. */
-  #tell(missing: Missing | undefined): void {
-    this.#missing = missing;
+  #showMessage(message: Message | undefined): void {
+    this.#shownMessage = message;
     const { solidLoading, solidNoNetwork, solidNoPart, solidNoWebGl } = WORDS[this.#shell.language];
     const texts = {
       loading: solidLoading,
@@ -146,14 +146,14 @@ class Solid implements Panel {
       'no-part': solidNoPart,
       'no-webgl': solidNoWebGl,
     };
-    this.#message.textContent = missing === undefined ? '' : texts[missing];
-    this.#again.hidden = missing !== 'no-network';
-    this.#reset.disabled = missing !== undefined;
+    this.#message.textContent = message === undefined ? '' : texts[message];
+    this.#retry.hidden = message !== 'no-network';
+    this.#reset.disabled = message !== undefined;
   }
 
-  #free(): void {
-    this.#stopWaiting?.();
-    this.#view?.free();
+  #disposeView(): void {
+    this.#cancelRetry?.();
+    this.#view?.dispose();
     this.#view = undefined;
     this.#section = undefined;
     this.#holes = [];
@@ -171,7 +171,7 @@ const WORDS = words({
     solidView: 'The turned part in three dimensions. Arrow keys turn it, plus and minus zoom, Home resets the view.',
     solidLoading: 'Loading …',
     solidNoNetwork: 'The view could not be loaded: the network is missing. It is loaded when the network is back.',
-    solidAgain: 'Try again',
+    solidRetry: 'Try again',
     solidNoPart: 'There is no part to show: nothing is left of the blank, or it is not known.',
     solidNoWebGl:
       'This browser does not draw in three dimensions (WebGL is missing or switched off). The drawing shows the same part in section.',
@@ -185,7 +185,7 @@ const WORDS = words({
     solidView: '车削零件的三维视图。方向键旋转，加号和减号缩放，Home 键恢复初始视角。',
     solidLoading: '正在加载……',
     solidNoNetwork: '三维视图无法加载：没有网络。网络恢复后会自动加载。',
-    solidAgain: '重试',
+    solidRetry: '重试',
     solidNoPart: '没有可显示的零件：毛坯已无剩余，或毛坯未知。',
     solidNoWebGl: '此浏览器无法显示三维图形（缺少 WebGL 或已关闭）。平面图中可看到同一零件的剖面。',
     solidReset: '初始视角',
@@ -200,7 +200,7 @@ const WORDS = words({
       'Точёная деталь в трёх измерениях. Стрелки поворачивают её, плюс и минус меняют масштаб, Home сбрасывает вид.',
     solidLoading: 'Загрузка …',
     solidNoNetwork: 'Вид загрузить не удалось: нет сети. Загрузка повторится, когда сеть появится.',
-    solidAgain: 'Повторить',
+    solidRetry: 'Повторить',
     solidNoPart: 'Нечего показать: от заготовки ничего не осталось, или она неизвестна.',
     solidNoWebGl:
       'Этот браузер не показывает трёхмерную графику (WebGL отсутствует или выключен). На чертеже та же деталь видна в разрезе.',

@@ -9,7 +9,7 @@ import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
 import { words } from '../dom/words';
 import type { Summary, Work } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import type { Panel, PanelKind, Shell } from './panel';
 import statusLineStyles from './status-line.css?inline';
 
@@ -19,12 +19,12 @@ export const statusLine: PanelKind = {
   make: (shell) => new StatusLine(shell),
 };
 
-type Shown =
+type Content =
   | { readonly kind: 'loading' }
   | { readonly kind: 'running'; readonly work: Work; readonly done: number }
   | { readonly kind: 'failed' }
   /** The path is complete; messages and part are pending, or could not be loaded. */
-  | { readonly kind: 'path'; readonly summary: Summary; readonly rest: 'coming' | 'failed' }
+  | { readonly kind: 'path'; readonly summary: Summary; readonly rest: 'pending' | 'failed' }
   | { readonly kind: 'summary'; readonly summary: Summary; readonly decimal: string | undefined };
 
 class StatusLine implements Panel {
@@ -33,11 +33,11 @@ class StatusLine implements Panel {
   /** Visible while a run takes a noticeable time. */
   readonly #stop = make('button', { type: 'button', className: 'framed', hidden: true });
   readonly #change = make('button', { type: 'button', className: 'change quiet' });
-  #shown: Shown = { kind: 'loading' };
+  #content: Content = { kind: 'loading' };
   /** The content belongs to an earlier run. */
-  #isOld = false;
-  #said = '';
-  readonly places = { foot: [this.#element, this.#stop] };
+  #isOutdated = false;
+  #renderedKey = '';
+  readonly elements = { foot: [this.#element, this.#stop] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -52,47 +52,49 @@ class StatusLine implements Panel {
     this.#render();
   }
 
-  heard(event: Heard): void {
-    if (event.kind === 'report' || event.kind === 'path') this.#isOld = false;
+  onEvent(event: CoreEvent): void {
+    if (event.kind === 'report' || event.kind === 'path') this.#isOutdated = false;
     if (event.kind === 'report')
       this.#show({ kind: 'summary', summary: event.report.summary, decimal: event.report.decimal });
-    else if (event.kind === 'path') this.#show({ kind: 'path', summary: event.summary, rest: 'coming' });
+    else if (event.kind === 'path') this.#show({ kind: 'path', summary: event.summary, rest: 'pending' });
     else if (event.kind === 'progress') this.#show({ kind: 'running', work: event.work, done: event.done });
   }
 
-  outdated(): void {
-    this.#isOld = true;
+  onInputChanged(): void {
+    this.#isOutdated = true;
   }
 
-  begun(): void {
-    if (this.#shown.kind === 'failed') this.#show({ kind: 'loading' });
+  onRunStarted(): void {
+    if (this.#content.kind === 'failed') this.#show({ kind: 'loading' });
   }
 
   /** The notice says why. */
-  unreported(): void {
-    this.#show(this.#shown.kind === 'path' && !this.#isOld ? { ...this.#shown, rest: 'failed' } : { kind: 'failed' });
+  onRunFailed(): void {
+    this.#show(
+      this.#content.kind === 'path' && !this.#isOutdated ? { ...this.#content, rest: 'failed' } : { kind: 'failed' },
+    );
   }
 
-  lost(): void {
+  onWorkerLost(): void {
     this.#show({ kind: 'failed' });
   }
 
-  #show(shown: Shown): void {
-    this.#shown = shown;
+  #show(content: Content): void {
+    this.#content = content;
     this.#render();
   }
 
   #render(): void {
     const texts = WORDS[this.#shell.language];
     this.#stop.textContent = texts.stopRun;
-    this.#stop.hidden = this.#shown.kind !== 'running';
+    this.#stop.hidden = this.#content.kind !== 'running';
     // On a narrow page, lines break between facts, not inside them.
-    const written = this.#facts();
-    const decimal = this.#shown.kind === 'summary' ? this.#shown.decimal : undefined;
-    const said = JSON.stringify([this.#shell.language, ...written, decimal]);
-    if (said === this.#said) return;
-    this.#said = said;
-    this.#element.replaceChildren(...written.flatMap((fact, i) => [i > 0 ? ' · ' : '', make('span', {}, fact)]));
+    const facts = this.#facts();
+    const decimal = this.#content.kind === 'summary' ? this.#content.decimal : undefined;
+    const renderedKey = JSON.stringify([this.#shell.language, ...facts, decimal]);
+    if (renderedKey === this.#renderedKey) return;
+    this.#renderedKey = renderedKey;
+    this.#element.replaceChildren(...facts.flatMap((fact, i) => [i > 0 ? ' · ' : '', make('span', {}, fact)]));
     if (decimal === undefined) return;
     this.#change.textContent = texts.change;
     this.#change.setAttribute('aria-label', texts.changeDecimal);
@@ -101,25 +103,25 @@ class StatusLine implements Panel {
 
   #facts(): readonly string[] {
     const strings = WORDS[this.#shell.language];
-    switch (this.#shown.kind) {
+    switch (this.#content.kind) {
       case 'loading':
         return [strings.loading];
       case 'running': {
-        const percent = Math.floor(this.#shown.done * 100);
-        return [this.#shown.work === 'part' ? strings.part(percent) : strings.running(percent)];
+        const percent = Math.floor(this.#content.done * 100);
+        return [this.#content.work === 'part' ? strings.part(percent) : strings.running(percent)];
       }
       case 'failed':
         return ['—'];
       case 'path': {
-        const { motions, lines } = this.#shown.summary;
+        const { motions, lines } = this.#content.summary;
         return [
           strings.motions(motions),
           strings.lines(lines),
-          this.#shown.rest === 'coming' ? strings.coming : strings.notComing,
+          this.#content.rest === 'pending' ? strings.pending : strings.incomplete,
         ];
       }
       case 'summary': {
-        const { motions, lines, errors, warnings, infos } = this.#shown.summary;
+        const { motions, lines, errors, warnings, infos } = this.#content.summary;
         const problems = errors + warnings + infos;
         const found = problems === 0 ? strings.noProblems : strings.problemCount(problems);
         return [strings.motions(motions), strings.lines(lines), found];
@@ -137,8 +139,8 @@ const WORDS = words({
     running: (percent: number) => `Running … ${percent} %`,
     /** Material removal is being computed. */
     part: (percent: number) => `Part … ${percent} %`,
-    coming: 'part and messages are loading …',
-    notComing: 'part and messages could not be loaded',
+    pending: 'part and messages are loading …',
+    incomplete: 'part and messages could not be loaded',
     stopRun: 'Stop',
     change: 'change',
     changeDecimal: 'Change how numbers without a point are read',
@@ -151,8 +153,8 @@ const WORDS = words({
     problemCount: counter('zh', { other: '个问题' }),
     running: (percent) => `正在运行…… ${percent} %`,
     part: (percent) => `零件 … ${percent} %`,
-    coming: '正在加载零件和信息……',
-    notComing: '零件和信息加载失败',
+    pending: '正在加载零件和信息……',
+    incomplete: '零件和信息加载失败',
     stopRun: '停止',
     change: '更改',
     changeDecimal: '更改无小数点的数的读法',
@@ -165,8 +167,8 @@ const WORDS = words({
     problemCount: counter('ru', { one: 'замечание', few: 'замечания', other: 'замечаний' }),
     running: (percent) => `Выполняется … ${percent} %`,
     part: (percent) => `Деталь … ${percent} %`,
-    coming: 'деталь и сообщения загружаются …',
-    notComing: 'деталь и сообщения не загружены',
+    pending: 'деталь и сообщения загружаются …',
+    incomplete: 'деталь и сообщения не загружены',
     stopRun: 'Остановить',
     change: 'изменить',
     changeDecimal: 'Изменить чтение чисел без точки',

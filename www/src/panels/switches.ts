@@ -7,8 +7,8 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { SwitchesInText } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
-import type { Panel, PanelKind, Shell, SwitchesSet } from './panel';
+import type { CoreEvent } from '../worker/core-client';
+import type { Panel, PanelKind, Shell, SwitchState } from './panel';
 import switchesStyles from './switches.css?inline';
 
 export const switches: PanelKind = { control: 'setup', styles: switchesStyles, make: (shell) => new Switches(shell) };
@@ -21,19 +21,19 @@ class Switches implements Panel {
   readonly #skip = make('div', { className: 'skip', role: 'group' }, this.#skipText, this.#levels);
   readonly #programText = make('span', { 'aria-hidden': 'true' });
   readonly #program = make('select', { className: 'small' });
-  readonly #choice = make('label', {}, this.#programText, this.#program);
+  readonly #programChoice = make('label', {}, this.#programText, this.#program);
   readonly #buttons = new Map<number, HTMLButtonElement>();
   #inText: SwitchesInText = { blockSkip: [], programs: [] };
-  #set: SwitchesSet = { blockSkip: [], program: undefined };
+  #state: SwitchState = { blockSkip: [], program: undefined };
   /** The current options as text: an unchanged list is not rebuilt, because the user may have opened it. */
   #options = '';
 
-  readonly places = { bar: [this.#element] };
+  readonly elements = { bar: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#element.append(this.#choice, this.#skip);
-    this.#program.addEventListener('change', () => shell.turn({ program: this.#program.value }));
+    this.#element.append(this.#programChoice, this.#skip);
+    this.#program.addEventListener('change', () => shell.setSwitches({ program: this.#program.value }));
   }
 
   set language(language: Language) {
@@ -46,7 +46,7 @@ class Switches implements Panel {
     this.#render();
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     const inText =
       event.kind === 'switches' ? event.inText : event.kind === 'report' ? event.report.switches : undefined;
     if (inText === undefined) return;
@@ -54,15 +54,15 @@ class Switches implements Panel {
     this.#render();
   }
 
-  switched(set: SwitchesSet): void {
-    this.#set = set;
+  onSwitchesChanged(state: SwitchState): void {
+    this.#state = state;
     this.#render();
   }
 
   #render(): void {
     this.#renderLevels();
     this.#renderPrograms();
-    this.#element.hidden = this.#skip.hidden && this.#choice.hidden;
+    this.#element.hidden = this.#skip.hidden && this.#programChoice.hidden;
   }
 
   #renderLevels(): void {
@@ -70,7 +70,7 @@ class Switches implements Panel {
     for (const level of blockSkip) if (!this.#buttons.has(level)) this.#buttons.set(level, this.#button(level));
     for (const [level, button] of this.#buttons) {
       button.setAttribute('aria-label', WORDS[this.#shell.language].blockSkipLevel(mark(level)));
-      button.setAttribute('aria-checked', String(this.#set.blockSkip.includes(level)));
+      button.setAttribute('aria-checked', String(this.#state.blockSkip.includes(level)));
       button.hidden = !blockSkip.includes(level);
     }
     const inOrder = [...this.#buttons].sort(([a], [b]) => a - b).map(([, button]) => button);
@@ -81,31 +81,31 @@ class Switches implements Panel {
   #button(level: number): HTMLButtonElement {
     const button = make('button', { type: 'button', className: 'level', role: 'switch' }, mark(level));
     button.addEventListener('click', () => {
-      const { blockSkip } = this.#set;
-      const others = blockSkip.filter((one) => one !== level);
+      const { blockSkip } = this.#state;
+      const others = blockSkip.filter((other) => other !== level);
       const levels = others.length < blockSkip.length ? others : [...others, level].sort((a, b) => a - b);
-      this.#shell.turn({ blockSkip: levels.join(',') });
+      this.#shell.setSwitches({ blockSkip: levels.join(',') });
     });
     return button;
   }
 
   #renderPrograms(): void {
     const { programs } = this.#inText;
-    const wanted = this.#set.program;
+    const selected = this.#state.program;
     const options = programs.map(({ number, name }) => ({ number, name }));
     // A selected program that does not exist is listed, so that the user sees it and can select another one.
-    if (wanted !== undefined && options.every(({ number }) => number !== wanted)) {
-      options.push({ number: wanted, name: `O${String(wanted).padStart(4, '0')} ?` });
+    if (selected !== undefined && options.every(({ number }) => number !== selected)) {
+      options.push({ number: selected, name: `O${String(selected).padStart(4, '0')} ?` });
     }
-    const written = options.map(({ name }) => name).join('\n');
-    if (written !== this.#options) {
-      this.#options = written;
+    const names = options.map(({ name }) => name).join('\n');
+    if (names !== this.#options) {
+      this.#options = names;
       this.#program.replaceChildren(
         ...options.map(({ number, name }) => make('option', { value: String(number) }, name)),
       );
     }
-    this.#program.value = String(wanted ?? programs[0]?.number ?? '');
-    this.#choice.hidden = options.length < 2;
+    this.#program.value = String(selected ?? programs[0]?.number ?? '');
+    this.#programChoice.hidden = options.length < 2;
   }
 }
 

@@ -4,10 +4,10 @@
 // In: the number of problems; the request to show the program. Out: `data-tab` of the frame, for the style sheet. Must
 // not know: the size of the element, or the contents of a region.
 
-import { make, showText } from '../dom/dom';
+import { make, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import type { Panel, PanelKind, Shell } from './panel';
 import tabsStyles from './tabs.css?inline';
 
@@ -19,7 +19,7 @@ type Tab = (typeof TABS)[number];
 class Tabs implements Panel {
   readonly #row = make('div', { className: 'tab-list', role: 'tablist' });
   readonly #frame: HTMLElement;
-  readonly #panels: Readonly<Record<'written' | 'shown', HTMLElement>>;
+  readonly #tabPanels: Readonly<Record<'written' | 'shown', HTMLElement>>;
   readonly #tabs: Readonly<Record<Tab, HTMLButtonElement>>;
   readonly #names: Readonly<Record<Tab, HTMLElement>> = {
     drawing: make('span'),
@@ -29,25 +29,25 @@ class Tabs implements Panel {
   };
   readonly #count = make('span', { className: 'count', hidden: true });
   /** Shown instead of an empty list of problems. */
-  readonly #none = make('p', { className: 'no-problems', hidden: true });
+  readonly #noProblems = make('p', { className: 'no-problems', hidden: true });
   #tab: Tab = 'program';
-  readonly places = { tabs: [this.#row], problems: [this.#none] };
+  readonly elements = { tabs: [this.#row], problems: [this.#noProblems] };
 
   constructor(shell: Shell) {
     this.#frame = shell.frame;
-    this.#panels = { written: this.#find('written'), shown: this.#find('shown') };
+    this.#tabPanels = { written: this.#find('written'), shown: this.#find('shown') };
     const tab = (which: Tab): HTMLButtonElement => {
       const more = which === 'problems' ? [' ', this.#count] : [];
-      const made = make(
+      const button = make(
         'button',
         { type: 'button', className: 'tab', role: 'tab', id: `tab-${which}` },
         this.#names[which],
         ...more,
       );
-      made.setAttribute('aria-controls', which === 'drawing' ? 'shown' : 'written');
-      made.addEventListener('click', () => this.#choose(which));
-      made.addEventListener('keydown', (event) => this.#key(event));
-      return made;
+      button.setAttribute('aria-controls', which === 'drawing' ? 'shown' : 'written');
+      button.addEventListener('click', () => this.#choose(which));
+      button.addEventListener('keydown', (event) => this.#handleKey(event));
+      return button;
     };
     this.#tabs = { drawing: tab('drawing'), program: tab('program'), problems: tab('problems'), state: tab('state') };
     this.#row.append(...Object.values(this.#tabs));
@@ -59,20 +59,19 @@ class Tabs implements Panel {
   set language(language: Language) {
     const { shown, tabs, noProblems } = WORDS[language];
     this.#row.setAttribute('aria-label', shown);
-    for (const which of TABS)
-      showText(this.#names[which], which === 'program' ? COMMON[language].program : tabs[which]);
-    showText(this.#none, noProblems);
+    for (const which of TABS) setText(this.#names[which], which === 'program' ? COMMON[language].program : tabs[which]);
+    setText(this.#noProblems, noProblems);
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind !== 'report') return;
     const { length } = event.report.diagnostics;
-    showText(this.#count, String(length));
+    setText(this.#count, String(length));
     this.#count.hidden = length === 0;
-    this.#none.hidden = length > 0;
+    this.#noProblems.hidden = length > 0;
   }
 
-  programWanted(): void {
+  onShowProgram(): void {
     this.#choose('program');
   }
 
@@ -95,7 +94,7 @@ class Tabs implements Panel {
   /** The regions are tab panels only if the tabs are visible. */
   #showRoles(): void {
     const areTabs = this.#row.checkVisibility();
-    for (const [id, panel] of Object.entries(this.#panels)) {
+    for (const [id, panel] of Object.entries(this.#tabPanels)) {
       if (areTabs) {
         panel.setAttribute('role', 'tabpanel');
         panel.setAttribute(
@@ -109,7 +108,7 @@ class Tabs implements Panel {
     }
   }
 
-  #key(event: KeyboardEvent): void {
+  #handleKey(event: KeyboardEvent): void {
     const at = TABS.indexOf(this.#tab);
     const next = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: -1 }[event.key];
     const which = next === undefined ? undefined : TABS.at(next % TABS.length);

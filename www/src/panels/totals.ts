@@ -2,13 +2,13 @@
 //
 // In: the totals of the newest run, requested once its path is complete. Must not know: how they are computed.
 
-import { make, name } from '../dom/dom';
+import { make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { LengthUnit, Totals } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
-import { clock, countsOfUnknown } from './duration';
-import { inUnit, length, symbol } from './lengths';
+import type { CoreEvent } from '../worker/core-client';
+import { formatClock, unknownCounts } from './duration';
+import { toUnit, formatLength, unitSymbol } from './lengths';
 import type { Panel, PanelKind, Shell } from './panel';
 import totalsStyles from './totals.css?inline';
 
@@ -16,7 +16,7 @@ import totalsStyles from './totals.css?inline';
  * Most motions of a program whose totals are computed after each change. For a longer one, they are computed when the
  * table is opened.
  */
-const ADDED_UP_AT_ONCE = 50_000;
+const MAX_AUTO_TOTALS = 50_000;
 
 export const totals: PanelKind = { control: 'tools', styles: totalsStyles, make: (shell) => new TotalsPanel(shell) };
 
@@ -43,7 +43,7 @@ class TotalsPanel implements Panel {
   /** One row for each tool, and the last row for the whole program. */
   #rows: readonly Totals[] = [];
   #unit: LengthUnit = 'mm';
-  readonly places = { foot: [this.#button], dialogs: [this.#element] };
+  readonly elements = { foot: [this.#button], dialogs: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -57,23 +57,23 @@ class TotalsPanel implements Panel {
   set language(language: Language) {
     this.#title.textContent = WORDS[language].title;
     this.#element.setAttribute('aria-label', WORDS[language].title);
-    name(this.#close, COMMON[language].close);
+    setAccessibleName(this.#close, COMMON[language].close);
     this.#show();
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind !== 'report') return;
     const { stage, summary, units } = event.report;
     this.#unit = units.shown;
-    if (stage === 'again') this.#show();
+    if (stage === 'repeated') this.#show();
     if (stage !== 'whole' && stage !== 'path') return;
     this.#button.hidden = summary.motions === 0;
-    if (summary.motions > 0 && (summary.motions <= ADDED_UP_AT_ONCE || this.#element.matches(':popover-open')))
+    if (summary.motions > 0 && (summary.motions <= MAX_AUTO_TOTALS || this.#element.matches(':popover-open')))
       void this.#ask();
     else this.#set([]);
   }
 
-  lost(): void {
+  onWorkerLost(): void {
     this.#button.hidden = true;
   }
 
@@ -92,7 +92,7 @@ class TotalsPanel implements Panel {
     const { language } = this.#shell;
     const texts = WORDS[language];
     const all = this.#rows.at(-1);
-    this.#button.textContent = texts.time(all === undefined ? '…' : time(all, language));
+    this.#button.textContent = texts.time(all === undefined ? '…' : formatTime(all, language));
     this.#button.title = texts.title;
     this.#body.setAttribute('aria-label', texts.title);
     if (all === undefined) {
@@ -100,7 +100,7 @@ class TotalsPanel implements Panel {
       this.#notes.hidden = true;
       return;
     }
-    const head = texts.columns(symbol(this.#unit, language)).map((text) => make('th', { scope: 'col' }, text));
+    const head = texts.columns(unitSymbol(this.#unit, language)).map((text) => make('th', { scope: 'col' }, text));
     const rows = this.#rows.map((row) => this.#row(row, row === all ? texts.whole : (row.tool ?? texts.noTool)));
     this.#body.replaceChildren(
       make('table', {}, make('thead', {}, make('tr', {}, ...head)), make('tbody', {}, ...rows)),
@@ -116,10 +116,12 @@ class TotalsPanel implements Panel {
   #row(row: Totals, first: string): HTMLElement {
     const { low, high, cut, rapid } = row;
     const range = (from: number | undefined, to: number | undefined): string =>
-      from === undefined || to === undefined ? '–' : `${length(from, this.#unit)} … ${length(to, this.#unit)}`;
-    const path = (mm: number): string => inUnit(mm, this.#unit).toFixed(this.#unit === 'mm' ? 1 : 2);
+      from === undefined || to === undefined
+        ? '–'
+        : `${formatLength(from, this.#unit)} … ${formatLength(to, this.#unit)}`;
+    const path = (mm: number): string => toUnit(mm, this.#unit).toFixed(this.#unit === 'mm' ? 1 : 2);
     const cells = [
-      time(row, this.#shell.language),
+      formatTime(row, this.#shell.language),
       path(cut),
       path(rapid),
       range(low?.x, high?.x),
@@ -130,9 +132,9 @@ class TotalsPanel implements Panel {
 }
 
 /** "1:38 + 12 rapids": motions of unknown time are counted, never guessed. */
-function time({ seconds, unknownCuts, unknownRapids }: Totals, language: Language): string {
-  const unknown = countsOfUnknown({ seconds, unknownCuts, unknownRapids }, language);
-  return seconds === 0 && unknown !== '' ? unknown.replace(/^ \+ /, '') : `${clock(seconds)}${unknown}`;
+function formatTime({ seconds, unknownCuts, unknownRapids }: Totals, language: Language): string {
+  const unknown = unknownCounts({ seconds, unknownCuts, unknownRapids }, language);
+  return seconds === 0 && unknown !== '' ? unknown.replace(/^ \+ /, '') : `${formatClock(seconds)}${unknown}`;
 }
 
 const WORDS = words({

@@ -7,7 +7,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Command, LengthUnit, Units } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
+import type { CoreEvent } from '../worker/core-client';
 import type { Panel, PanelKind, Shell } from './panel';
 
 export const units: PanelKind = { control: 'setup', make: (shell) => new UnitsButton(shell) };
@@ -16,33 +16,33 @@ class UnitsButton implements Panel {
   readonly #shell: Shell;
   readonly #button = make('button', { type: 'button', className: 'quiet', part: 'units', hidden: true });
   #units: Units | undefined;
-  #chosen: LengthUnit | undefined;
-  readonly places = { foot: [this.#button] };
+  #preferred: LengthUnit | undefined;
+  readonly elements = { foot: [this.#button] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#button.addEventListener('click', () => this.#take());
+    this.#button.addEventListener('click', () => this.#switchUnit());
   }
 
   set language(_: Language) {
     this.#show();
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind !== 'report') return;
     this.#units = event.report.units;
     this.#show();
   }
 
-  connected(send: (command: Command) => void): void {
-    if (this.#chosen !== undefined) send({ kind: 'unit', unit: this.#chosen });
+  onWorkerConnected(send: (command: Command) => void): void {
+    if (this.#preferred !== undefined) send({ kind: 'unit', unit: this.#preferred });
   }
 
-  #take(): void {
+  #switchUnit(): void {
     if (this.#units === undefined) return;
     const other = this.#units.shown === 'mm' ? 'inch' : 'mm';
-    this.#chosen = other === this.#units.program ? undefined : other;
-    this.#shell.send({ kind: 'unit', unit: this.#chosen });
+    this.#preferred = other === this.#units.program ? undefined : other;
+    this.#shell.send({ kind: 'unit', unit: this.#preferred });
   }
 
   #show(): void {

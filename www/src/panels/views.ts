@@ -13,13 +13,13 @@ import {
   type PictureName,
   type ViewsState,
 } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
-import { length, symbol } from './lengths';
+import type { CoreEvent } from '../worker/core-client';
+import { formatLength, unitSymbol } from './lengths';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import viewsStyles from './views.css?inline';
 
 /** Below this width, CSS pixels, only one picture is shown. */
-const ROOM_FOR_ALL = 620;
+const MIN_WIDTH_FOR_ALL_PX = 620;
 
 const CHOICES = [...PICTURES, 'all'] as const;
 
@@ -31,15 +31,15 @@ class Views implements Panel {
   readonly #choice = make('div', { className: 'choice', role: 'radiogroup', hidden: true });
   readonly #buttons: Readonly<Record<PictureChoice, HTMLButtonElement>>;
   readonly #turret = make('button', { type: 'button', className: 'level' });
-  readonly #keep = make('button', { type: 'button', className: 'small' });
-  readonly #end = make('button', { type: 'button', className: 'small', hidden: true });
+  readonly #keepButton = make('button', { type: 'button', className: 'small' });
+  readonly #endButton = make('button', { type: 'button', className: 'small', hidden: true });
   readonly #differences = make('div', { className: 'differences', 'aria-live': 'polite', hidden: true });
   #state: ViewsState = { pictures: ['section'], work: [], turret: 'rear', comparison: undefined };
   /** Who began the comparison: the host page must not end one that the user began. */
-  #keptBy: 'reader' | 'page' = 'reader';
-  #wanted: PictureChoice = 'all';
-  #chosen: PictureChoice = 'section';
-  #shown = '';
+  #startedBy: 'user' | 'page' = 'user';
+  #preferred: PictureChoice = 'all';
+  #current: PictureChoice = 'section';
+  #shownPictures = '';
   #unit: LengthUnit = 'mm';
   /** Width of the row, CSS pixels. */
   #width = 0;
@@ -47,30 +47,35 @@ class Views implements Panel {
   readonly services: Partial<Services> = {
     keepPart: () => this.#keepPart('page'),
     endComparison: () => {
-      if (this.#keptBy === 'page') this.#shell.send({ kind: 'end-comparison' });
+      if (this.#startedBy === 'page') this.#shell.send({ kind: 'end-comparison' });
     },
   };
-  readonly places = { views: [this.#choice, this.#turret, this.#keep, this.#end, this.#differences] };
+  readonly elements = { views: [this.#choice, this.#turret, this.#keepButton, this.#endButton, this.#differences] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
     this.#row = shell.region('views');
-    const button = (pictures: PictureChoice): HTMLButtonElement => {
-      const made = make('button', { type: 'button', className: 'level', role: 'radio' });
-      made.addEventListener('click', () => this.#choose(pictures));
-      made.addEventListener('keydown', (event) => this.#key(event));
-      return made;
+    const makeButton = (pictures: PictureChoice): HTMLButtonElement => {
+      const button = make('button', { type: 'button', className: 'level', role: 'radio' });
+      button.addEventListener('click', () => this.#choose(pictures));
+      button.addEventListener('keydown', (event) => this.#handleKey(event));
+      return button;
     };
-    this.#buttons = { section: button('section'), face: button('face'), side: button('side'), all: button('all') };
+    this.#buttons = {
+      section: makeButton('section'),
+      face: makeButton('face'),
+      side: makeButton('side'),
+      all: makeButton('all'),
+    };
     this.#choice.append(...CHOICES.map((choice) => this.#buttons[choice]));
     this.#turret.addEventListener('click', () =>
       shell.send({ kind: 'turret', side: this.#state.turret === 'front' ? 'rear' : 'front' }),
     );
-    this.#keep.addEventListener('click', () => this.#keepPart('reader'));
-    this.#end.addEventListener('click', () => {
-      this.#keptBy = 'reader';
+    this.#keepButton.addEventListener('click', () => this.#keepPart('user'));
+    this.#endButton.addEventListener('click', () => {
+      this.#startedBy = 'user';
       shell.send({ kind: 'end-comparison' });
-      this.#keep.focus();
+      this.#keepButton.focus();
     });
     new ResizeObserver(() => {
       // Elements that float over the pictures are placed below this row.
@@ -88,13 +93,13 @@ class Views implements Panel {
     this.#buttons.side.title = texts.sideHint;
     this.#turret.textContent = texts.frontTurret;
     this.#turret.title = texts.frontTurretHint;
-    this.#keep.textContent = texts.keep;
-    this.#keep.title = texts.keepHint;
-    this.#end.textContent = texts.endComparison;
+    this.#keepButton.textContent = texts.keep;
+    this.#keepButton.title = texts.keepHint;
+    this.#endButton.textContent = texts.endComparison;
     this.#show();
   }
 
-  heard(event: Heard): void {
+  onEvent(event: CoreEvent): void {
     if (event.kind === 'report') this.#unit = event.report.units.shown;
     const state = event.kind === 'views' ? event.views : event.kind === 'report' ? event.report.views : undefined;
     if (state === undefined) return;
@@ -102,21 +107,21 @@ class Views implements Panel {
     this.#show();
   }
 
-  #keepPart(by: 'reader' | 'page'): void {
-    this.#keptBy = by;
-    this.#shell.send({ kind: 'keep' });
+  #keepPart(by: 'user' | 'page'): void {
+    this.#startedBy = by;
+    this.#shell.send({ kind: 'keep-part' });
   }
 
   #choose(pictures: PictureChoice): void {
-    this.#wanted = pictures;
+    this.#preferred = pictures;
     this.#show();
   }
 
-  #key(event: KeyboardEvent): void {
+  #handleKey(event: KeyboardEvent): void {
     const step = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
     if (step === undefined) return;
     const order = CHOICES.filter((choice) => !this.#buttons[choice].hidden);
-    const next = order[(order.indexOf(this.#chosen) + step + order.length) % order.length];
+    const next = order[(order.indexOf(this.#current) + step + order.length) % order.length];
     if (next === undefined) return;
     this.#choose(next);
     this.#buttons[next].focus();
@@ -126,24 +131,24 @@ class Views implements Panel {
   #show(): void {
     const { pictures, turret, comparison } = this.#state;
     const texts = WORDS[this.#shell.language];
-    const wide = this.#width >= ROOM_FOR_ALL;
-    this.#chosen = this.#choiceOf(pictures, wide);
+    const wide = this.#width >= MIN_WIDTH_FOR_ALL_PX;
+    this.#current = this.#choiceOf(pictures, wide);
     this.#choice.hidden = pictures.length < 2;
     this.#buttons.all.textContent = pictures.length > 2 ? texts.all : texts.both;
     for (const choice of CHOICES) {
       const button = this.#buttons[choice];
       button.hidden = choice === 'all' ? !wide : !pictures.includes(choice);
-      button.setAttribute('aria-checked', String(choice === this.#chosen));
-      button.tabIndex = choice === this.#chosen ? 0 : -1;
+      button.setAttribute('aria-checked', String(choice === this.#current));
+      button.tabIndex = choice === this.#current ? 0 : -1;
     }
     this.#turret.setAttribute('aria-pressed', String(turret === 'front'));
-    this.#keep.hidden = comparison !== undefined;
-    this.#end.hidden = this.#differences.hidden = comparison === undefined;
-    if (comparison !== undefined) this.#differences.replaceChildren(...this.#tell(comparison));
-    const chosen = this.#chosen;
-    const shown = chosen === 'all' ? pictures : [chosen];
-    if (shown.join() === this.#shown) return;
-    this.#shown = shown.join();
+    this.#keepButton.hidden = comparison !== undefined;
+    this.#endButton.hidden = this.#differences.hidden = comparison === undefined;
+    if (comparison !== undefined) this.#differences.replaceChildren(...this.#describe(comparison));
+    const current = this.#current;
+    const shown = current === 'all' ? pictures : [current];
+    if (shown.join() === this.#shownPictures) return;
+    this.#shownPictures = shown.join();
     this.#shell.service('showOnly')(shown);
   }
 
@@ -153,20 +158,20 @@ class Views implements Panel {
    */
   #choiceOf(pictures: readonly PictureName[], wide: boolean): PictureChoice {
     if (pictures.length < 2) return 'section';
-    const wanted = this.#wanted;
-    if (wanted === 'all' ? wide : pictures.includes(wanted)) return wanted;
+    const preferred = this.#preferred;
+    if (preferred === 'all' ? wide : pictures.includes(preferred)) return preferred;
     return wide ? 'all' : (pictures.find((picture) => picture !== 'section') ?? 'section');
   }
 
-  #tell({ differences, radial, axial }: Comparison): (Node | string)[] {
+  #describe({ differences, radial, axial }: Comparison): (Node | string)[] {
     const texts = WORDS[this.#shell.language];
     if (radial === undefined || axial === undefined) return [texts.same];
     const key = (side: 'first' | 'second', text: string): Node[] =>
       differences.some(({ only }) => only === side)
         ? [make('span', { className: 'only' }, make('span', { className: `patch ${side}` }), text)]
         : [];
-    const shown = (mm: number): string => length(mm, this.#unit);
-    const measure = (mm: number): string => `${shown(mm)} ${symbol(this.#unit, this.#shell.language)}`;
+    const shown = (mm: number): string => formatLength(mm, this.#unit);
+    const measure = (mm: number): string => `${shown(mm)} ${unitSymbol(this.#unit, this.#shell.language)}`;
     const largest = texts.largest(
       measure(radial.length),
       shown(radial.from.z),

@@ -3,7 +3,7 @@
 //
 // In: the values that are tried. Out: the end of the trial. Must not know: the effect of the values.
 
-import { make, showText } from '../dom/dom';
+import { make, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Panel, PanelKind, Shell } from './panel';
@@ -14,36 +14,36 @@ export const whatIf: PanelKind = { control: 'help', styles: whatIfStyles, make: 
 class WhatIf implements Panel {
   readonly #shell: Shell;
   readonly #text = make('span');
-  readonly #back = make('button', { type: 'button', className: 'framed' });
+  readonly #endButton = make('button', { type: 'button', className: 'framed' });
   readonly #element = make(
     'div',
     { className: 'what-if', part: 'what-if', role: 'alert', hidden: true },
     this.#text,
-    this.#back,
+    this.#endButton,
   );
-  readonly places = { pictures: [this.#element] };
+  readonly elements = { pictures: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#back.addEventListener('click', () => {
-      const isHere = shell.root.activeElement === this.#back;
+    this.#endButton.addEventListener('click', () => {
+      const hadFocus = shell.root.activeElement === this.#endButton;
       shell.editor.endTrial();
       // The button is now hidden.
-      if (isHere) shell.editor.focus();
+      if (hadFocus) shell.editor.focus();
     });
   }
 
   set language(language: Language) {
-    showText(this.#back, WORDS[language].back);
-    this.triedChanged();
+    setText(this.#endButton, WORDS[language].back);
+    this.onTrialChanged();
   }
 
-  triedChanged(): void {
+  onTrialChanged(): void {
     const texts = WORDS[this.#shell.language];
     const { tried } = this.#shell.editor;
     this.#element.hidden = tried.length === 0;
     const values = tried.map(({ variable, value }) => `#${variable} = ${value}`).join(', ');
-    showText(this.#text, tried.length === 0 ? '' : texts.whatIf(values));
+    setText(this.#text, tried.length === 0 ? '' : texts.whatIf(values));
   }
 }
 

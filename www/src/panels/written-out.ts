@@ -8,8 +8,8 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { CodeView } from '../editor/code-view';
-import type { WrittenOut } from '../protocol/protocol';
-import { late } from './late';
+import type { ExpandedProgram } from '../protocol/protocol';
+import { loadPart } from './load-part';
 import type { Panel, PanelKind, Shell } from './panel';
 import writtenOutStyles from './written-out.css?inline';
 
@@ -18,10 +18,10 @@ const COPIED_FOR_MS = 2_000;
 export const writtenOut: PanelKind = {
   control: 'tools',
   styles: writtenOutStyles,
-  make: (shell) => new WrittenOutPanel(shell),
+  make: (shell) => new ExpandedPanel(shell),
 };
 
-class WrittenOutPanel implements Panel {
+class ExpandedPanel implements Panel {
   readonly #shell: Shell;
   readonly #button = make('button', {
     type: 'button',
@@ -30,20 +30,20 @@ class WrittenOutPanel implements Panel {
   });
   readonly #text = make('div', { className: 'text' });
   readonly #copy = make('button', { type: 'button', className: 'framed' });
-  readonly #take = make('button', { type: 'button', className: 'framed' });
+  readonly #applyButton = make('button', { type: 'button', className: 'framed' });
   readonly #news = make('span', { className: 'unseen', role: 'log' });
-  readonly #dialog = new Dialog('written-out', [this.#text], [this.#copy, this.#take, this.#news]);
+  readonly #dialog = new Dialog('written-out', [this.#text], [this.#copy, this.#applyButton, this.#news]);
   /** Made each time the dialog opens; its code is loaded with the editor's. */
   #view: CodeView | undefined;
-  #copied: ReturnType<typeof setTimeout> | undefined;
+  #copiedTimer: ReturnType<typeof setTimeout> | undefined;
 
-  readonly places = { foot: [this.#button], dialogs: [this.#dialog.element] };
+  readonly elements = { foot: [this.#button], dialogs: [this.#dialog.element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
     this.#button.addEventListener('click', () => void this.#open());
     this.#copy.addEventListener('click', () => void this.#copyAll());
-    this.#take.addEventListener('click', () => this.#takeOver());
+    this.#applyButton.addEventListener('click', () => this.#apply());
     this.#dialog.element.addEventListener('close', () => this.#clear());
     this.available = false;
   }
@@ -52,8 +52,8 @@ class WrittenOutPanel implements Panel {
     const texts = WORDS[language];
     this.#button.textContent = texts.writeOut;
     this.#button.title = texts.writeOutHint;
-    this.#dialog.name(texts.writtenOut, COMMON[language].close);
-    this.#take.textContent = texts.takeOver;
+    this.#dialog.setTexts(texts.writtenOut, COMMON[language].close);
+    this.#applyButton.textContent = texts.apply;
     this.#showCopy('copy');
   }
 
@@ -62,7 +62,7 @@ class WrittenOutPanel implements Panel {
     this.#button.disabled = !available;
   }
 
-  get takesKeys(): boolean {
+  get capturesKeys(): boolean {
     return this.#dialog.open;
   }
 
@@ -74,33 +74,39 @@ class WrittenOutPanel implements Panel {
     const { editor } = this.#shell;
     this.#shell.flush();
     const { revision } = editor;
-    const load = late(
+    const load = loadPart(
       this.#shell,
       () => import('../editor/code-view'),
       () => void this.#open(),
     );
-    const [written, part] = await Promise.all([this.#shell.ask('expand', undefined), load]);
-    if (written !== undefined && part !== undefined && editor.revision === revision)
-      this.#show(written, editor.text, part.CodeView);
+    const [expanded, part] = await Promise.all([this.#shell.ask('expand', undefined), load]);
+    if (expanded !== undefined && part !== undefined && editor.revision === revision)
+      this.#show(expanded, editor.text, part.CodeView);
   }
 
   /** `before` is the current text of the editor. */
-  #show(written: WrittenOut, before: string, View: typeof CodeView): void {
-    const changed = written.text.trimEnd() !== before.trimEnd();
+  #show(expanded: ExpandedProgram, before: string, View: typeof CodeView): void {
+    const changed = expanded.text.trimEnd() !== before.trimEnd();
     this.#dialog.about = changed ? this.#words.writtenOutAbout : this.#words.nothingToWriteOut;
-    this.#take.hidden = !changed || this.#shell.readonly;
+    this.#applyButton.hidden = !changed || this.#shell.readonly;
     this.#view?.destroy();
-    this.#view = new View(this.#text, this.#shell.root, written.text.trimEnd(), written.tokens, this.#words.writtenOut);
+    this.#view = new View(
+      this.#text,
+      this.#shell.root,
+      expanded.text.trimEnd(),
+      expanded.tokens,
+      this.#words.writtenOut,
+    );
     this.#dialog.show();
-    this.#view.opened();
+    this.#view.onVisible();
   }
 
-  #takeOver(): void {
+  #apply(): void {
     const text = this.#view?.text;
     this.#dialog.close();
     if (text === undefined) return;
     this.#shell.rewrite(`${text}\n`);
-    this.#shell.service('notice')(this.#words.tookOver, 'program');
+    this.#shell.service('notice')(this.#words.applied, 'program');
     this.#shell.editor.focus();
   }
 
@@ -110,7 +116,7 @@ class WrittenOutPanel implements Panel {
     try {
       await navigator.clipboard.writeText(`${view.text}\n`);
       this.#showCopy('copied');
-      this.#copied = setTimeout(() => this.#showCopy('copy'), COPIED_FOR_MS);
+      this.#copiedTimer = setTimeout(() => this.#showCopy('copy'), COPIED_FOR_MS);
     } catch {
       // Copying is not allowed here: select the text for the user's own Ctrl C.
       view.selectAll();
@@ -120,7 +126,7 @@ class WrittenOutPanel implements Panel {
   }
 
   #showCopy(state: 'copy' | 'copied'): void {
-    clearTimeout(this.#copied);
+    clearTimeout(this.#copiedTimer);
     this.#copy.textContent = state === 'copied' ? this.#words.copied : this.#words.copy;
     this.#news.textContent = state === 'copied' ? this.#words.copied : '';
   }
@@ -142,8 +148,8 @@ const WORDS = words({
     copy: 'Copy',
     copied: 'Copied',
     copyYourself: 'Copying is not allowed here. All of it is selected: press Ctrl C.',
-    takeOver: 'Put into the editor',
-    tookOver: 'The program is expanded. Ctrl Z in the editor restores yours.',
+    apply: 'Put into the editor',
+    applied: 'The program is expanded. Ctrl Z in the editor restores yours.',
   },
   zh: {
     writeOut: '展开循环',
@@ -154,8 +160,8 @@ const WORDS = words({
     copy: '复制',
     copied: '已复制',
     copyYourself: '此处不允许自动复制。已全部选中，请按 Ctrl C。',
-    takeOver: '放入编辑器',
-    tookOver: '程序已展开。在编辑器中按 Ctrl Z 可恢复原程序。',
+    apply: '放入编辑器',
+    applied: '程序已展开。在编辑器中按 Ctrl Z 可恢复原程序。',
   },
   ru: {
     writeOut: 'Развернуть циклы',
@@ -166,7 +172,7 @@ const WORDS = words({
     copy: 'Копировать',
     copied: 'Скопировано',
     copyYourself: 'Копирование здесь запрещено. Текст выделен: нажмите Ctrl C.',
-    takeOver: 'Поместить в редактор',
-    tookOver: 'Программа развёрнута. Ctrl Z в редакторе вернёт прежнюю.',
+    apply: 'Поместить в редактор',
+    applied: 'Программа развёрнута. Ctrl Z в редакторе вернёт прежнюю.',
   },
 });

@@ -89,7 +89,7 @@ export interface Size {
 }
 
 /** The side of the spindle on which the turret is drawn. */
-export type TurretSide = 'front' | 'rear';
+type TurretSide = 'front' | 'rear';
 
 /** Commands for a picture; lengths and positions in CSS pixels. */
 export type CanvasCommand =
@@ -97,7 +97,7 @@ export type CanvasCommand =
   | { readonly kind: 'canvas'; readonly size: Size }
   | { readonly kind: 'resize'; readonly size: Size }
   /** The page has lost the image of this picture. */
-  | { readonly kind: 'paint-again' }
+  | { readonly kind: 'repaint' }
   | { readonly kind: 'fit' }
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
   | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };
@@ -107,7 +107,7 @@ export type { PartName };
 export type PartFiles = Readonly<Record<PartName, readonly string[]>>;
 
 /** The compiled module of the interpreter. */
-export interface Core {
+interface Core {
   readonly kind: 'core';
   readonly module: WebAssembly.Module;
 }
@@ -116,7 +116,7 @@ export type LengthUnit = Units['shown'];
 
 export type Command =
   /** A command for one of the pictures. */
-  | { readonly kind: 'picture'; readonly picture: PictureName; readonly what: CanvasCommand }
+  | { readonly kind: 'picture'; readonly picture: PictureName; readonly command: CanvasCommand }
   | { readonly kind: 'palette'; readonly palette: Palette }
   | { readonly kind: 'language'; readonly tag: Extract<PartName, 'en' | 'zh' | 'ru'> }
   /** The unit in which lengths are shown; undefined: that of the program. */
@@ -137,16 +137,16 @@ export type Command =
   /** Undefined: the side in the setup. */
   | { readonly kind: 'turret'; readonly side: TurretSide | undefined }
   /** Stores the part, so that later ones are drawn over it. */
-  | { readonly kind: 'keep' }
+  | { readonly kind: 'keep-part' }
   | { readonly kind: 'end-comparison' }
   /** The pointer has left the highlighted edge. */
   | { readonly kind: 'leave-edge' };
 
 /**
- * How a change was made. After `at-once` (paste, open) the interpreter decides again how numbers without a point are
+ * How a change was made. After `inserted` (paste, open) the interpreter decides again how numbers without a point are
  * read.
  */
-export type Came = 'typed' | 'at-once';
+export type ChangeSource = 'typed' | 'inserted';
 
 /** The changes of text and setup since the last run; run numbers increase. */
 export interface BeginRun extends RunChange {
@@ -160,7 +160,7 @@ export interface RunChange {
   readonly text: TextCommand | undefined;
   /** All values of variables that the user tries. */
   readonly tried: readonly TriedValue[];
-  readonly came: Came;
+  readonly changeSource: ChangeSource;
   readonly cursor: number | undefined;
   /** `fit` shows another program completely; `keep` keeps pan and zoom. */
   readonly framing: 'fit' | 'keep';
@@ -196,20 +196,20 @@ export type Pace =
  * Where the playback pauses: at program stops; after each block (`eachBlock`); before the blocks of these lines, from
  * 0, sorted.
  */
-export interface Holds {
+export interface PauseConditions {
   readonly stops: StopSwitch;
   readonly eachBlock: boolean;
   readonly lines: readonly number[];
 }
 
 /** The position of the tool, and why the playback paused there. */
-export interface Played {
+export interface PlayResult {
   readonly place: Readout | undefined;
-  readonly held: HeldBy;
+  readonly heldBy: HeldBy;
 }
 
 /** The program with every cycle expanded; `tokens` as in the question `tokens`, empty for a very long text. */
-export interface WrittenOut {
+export interface ExpandedProgram {
   readonly text: string;
   readonly tokens: Uint32Array;
 }
@@ -218,7 +218,7 @@ export interface WrittenOut {
 export type ExportFormat = FileFormat | 'png';
 
 /** An exported file. `ending` is appended to the name of the program. */
-export type Exported =
+export type ExportResult =
   | { readonly kind: 'file'; readonly content: Uint8Array<ArrayBuffer>; readonly ending: string }
   /** The format contains the part, and there is none. */
   | { readonly kind: 'no-part' };
@@ -226,86 +226,91 @@ export type Exported =
 /** Every question, with its arguments and its answer. */
 export interface Questions {
   /** Lines from 0, end exclusive; the answer is triples `from, to, class`. */
-  tokens: { ask: { readonly firstLine: number; readonly endLine: number }; answer: Uint32Array };
-  pick: { ask: { readonly picture: PictureName; readonly x: number; readonly y: number }; answer: Stroke | undefined };
+  tokens: { args: { readonly firstLine: number; readonly endLine: number }; answer: Uint32Array };
+  pick: { args: { readonly picture: PictureName; readonly x: number; readonly y: number }; answer: Stroke | undefined };
   /** The edge of the part in the section at a position. */
-  dimension: { ask: { readonly x: number; readonly y: number }; answer: Dimension | undefined };
+  dimension: { args: { readonly x: number; readonly y: number }; answer: Dimension | undefined };
   /** Plays for a number of seconds, or until the playback pauses. */
   play: {
-    ask: { readonly from: 'here' | 'start'; readonly seconds: number; readonly pace: Pace; readonly holds: Holds };
-    answer: Played;
+    args: {
+      readonly from: 'here' | 'start';
+      readonly seconds: number;
+      readonly pace: Pace;
+      readonly pauseConditions: PauseConditions;
+    };
+    answer: PlayResult;
   };
   /** Moves the tool to a fraction of the playback, 0 to 1; undefined shows the whole path. */
-  seek: { ask: { readonly share: number | undefined }; answer: Readout | undefined };
+  seek: { args: { readonly share: number | undefined }; answer: Readout | undefined };
   /** Moves the tool to the start of the block at this offset, or of the next one with a motion. */
-  'seek-block': { ask: { readonly offset: number }; answer: Readout | undefined };
-  step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
+  'seek-block': { args: { readonly offset: number }; answer: Readout | undefined };
+  step: { args: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
   /** Moves the tool to the end of a motion. */
-  'go-to': { ask: { readonly motion: number }; answer: Readout | undefined };
+  'go-to': { args: { readonly motion: number }; answer: Readout | undefined };
   /** Descriptions of motions, `end` exclusive. */
-  strokes: { ask: { readonly first: number; readonly end: number }; answer: readonly Stroke[] };
+  strokes: { args: { readonly first: number; readonly end: number }; answer: readonly Stroke[] };
   /** One row for each tool in the order of first use, then one for the whole program. */
-  totals: { ask: undefined; answer: readonly Totals[] };
+  totals: { args: undefined; answer: readonly Totals[] };
   /** The position of the tool, in the current language. */
-  readout: { ask: undefined; answer: Readout | undefined };
+  readout: { args: undefined; answer: Readout | undefined };
   /**
    * The position of a point in a picture. In the section X (a diameter) and Z, on the face X (a diameter) and C, on the
    * side Z and C in degrees (or Y, if its ruler shows Y); lengths in mm. The answer is in CSS pixels from the top left
    * corner of the picture.
    */
   locate: {
-    ask: { readonly picture: PictureName; readonly place: readonly [number, number] };
+    args: { readonly picture: PictureName; readonly place: readonly [number, number] };
     answer: { readonly x: number; readonly y: number };
   };
-  expand: { ask: undefined; answer: WrittenOut };
+  expand: { args: undefined; answer: ExpandedProgram };
   /** Parts of the selected text that can be rewritten as a cycle. */
-  rewritings: { ask: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
-  codes: { ask: undefined; answer: Codes };
+  rewritings: { args: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
+  codes: { args: undefined; answer: Codes };
   /** Undefined if the same asker has sent a newer question meanwhile, or there is a newer run. */
-  help: { ask: HelpWanted; answer: Help | undefined };
+  help: { args: HelpRequest; answer: Help | undefined };
   /** The uses of the number at an offset: a sequence number, a program, a variable. */
-  uses: { ask: { readonly offset: number }; answer: UsesHelp | undefined };
+  uses: { args: { readonly offset: number }; answer: UsesHelp | undefined };
   /** The outline of the text, and its foldable ranges. */
-  outline: { ask: undefined; answer: OutlineHelp };
-  export: { ask: { readonly format: ExportFormat }; answer: Exported };
+  outline: { args: undefined; answer: OutlineHelp };
+  export: { args: { readonly format: ExportFormat }; answer: ExportResult };
   /** The half-section of the part at the current position of the playback. */
-  section: { ask: undefined; answer: readonly SectionPiece[] };
+  section: { args: undefined; answer: readonly SectionPiece[] };
   /** The holes drilled by live tools up to that position. */
-  holes: { ask: undefined; answer: readonly DrilledHole[] };
+  holes: { args: undefined; answer: readonly DrilledHole[] };
   /** The programs found in a text; then one of them in pieces. */
-  'programs-in': { ask: { readonly text: string }; answer: FoundPrograms };
-  'pieces-of': { ask: { readonly program: number; readonly language: string }; answer: readonly FoundPiece[] };
+  'programs-in': { args: { readonly text: string }; answer: FoundPrograms };
+  'pieces-of': { args: { readonly program: number; readonly language: string }; answer: readonly FoundPiece[] };
   /** The differences between another version, which counts as the first, and the program. */
-  difference: { ask: OtherVersion; answer: Differed };
-  'setup-form': { ask: undefined; answer: SetupForm };
-  'another-tool': { ask: { readonly word: string }; answer: SetupGroup | undefined };
-  'read-setup': { ask: SetupTyped; answer: SetupAnswer };
+  difference: { args: OtherVersion; answer: DifferenceResult };
+  'setup-form': { args: undefined; answer: SetupForm };
+  'another-tool': { args: { readonly word: string }; answer: SetupGroup | undefined };
+  'read-setup': { args: SetupFormInput; answer: SetupAnswer };
   /** The machine and the tools of a setup; then of the program as it is run. */
-  'profiles-in': { ask: { readonly json: string }; answer: ProfilesRead };
-  'profiles-of-run': { ask: { readonly json: string }; answer: Profiles };
+  'profiles-in': { args: { readonly json: string }; answer: ProfilesResult };
+  'profiles-of-run': { args: { readonly json: string }; answer: Profiles };
   'with-profile': {
-    ask: { readonly json: string; readonly kind: ProfileKind; readonly profile: string };
+    args: { readonly json: string; readonly kind: ProfileKind; readonly profile: string };
     answer: string;
   };
 }
 
 /** The part of the page that asks for help: a newer question replaces its last one. */
-export type Asker = 'pointer' | 'cursor' | 'completion' | 'drawing' | 'motions';
+export type HelpClient = 'pointer' | 'cursor' | 'completion' | 'drawing' | 'motions';
 
 /**
  * The kind of help: for the word at an offset, for its block (at one of the times it is executed, or the usual one),
  * for completion at an offset, or for the block of a motion.
  */
-export type HelpWanted = { readonly by: Asker } & (
+export type HelpRequest = { readonly by: HelpClient } & (
   | { readonly about: 'word'; readonly offset: number }
   | { readonly about: 'block'; readonly offset: number; readonly time: number | undefined }
-  | { readonly about: 'completion'; readonly offset: number; readonly askedFor: boolean }
+  | { readonly about: 'completion'; readonly offset: number; readonly isExplicit: boolean }
   | { readonly about: 'motion'; readonly motion: number }
 );
 
 /** The answer; members that were not asked for are missing. */
 export interface Help {
-  readonly asked: HelpWanted;
+  readonly request: HelpRequest;
   readonly word?: WordHelp | undefined;
   readonly form?: FormHelp | undefined;
   readonly state?: StateHelp | undefined;
@@ -315,9 +320,9 @@ export interface Help {
 }
 
 /** The profiles contained in a setup, or why it is invalid. */
-export type ProfilesRead =
+export type ProfilesResult =
   | { readonly kind: 'profiles'; readonly profiles: Profiles }
-  | { readonly kind: 'wrong'; readonly reason: string };
+  | { readonly kind: 'invalid'; readonly reason: string };
 
 /** Another version of the program; `names` are the display names of that version and of the program. */
 export interface OtherVersion {
@@ -326,13 +331,13 @@ export interface OtherVersion {
 }
 
 /** The differences between two versions, and the tool paths of both as SVG. */
-export interface Differed {
+export interface DifferenceResult {
   readonly rows: ProgramDifference;
   readonly drawing: string;
 }
 
 /** The texts in the fields of the setup form; `json` is the current setup of the page. */
-export interface SetupTyped {
+interface SetupFormInput {
   readonly keys: readonly string[];
   readonly texts: readonly string[];
   readonly keep: SetupPlace;
@@ -342,7 +347,7 @@ export interface SetupTyped {
 export type QuestionKind = keyof Questions;
 
 /** Whether the answer to a question is about a run: then it is `undefined` once there is a newer run. */
-export const OF_THE_RUN = {
+export const RUN_DEPENDENT = {
   tokens: true,
   pick: true,
   play: true,
@@ -375,7 +380,7 @@ export const OF_THE_RUN = {
   'with-profile': false,
 } as const satisfies Readonly<Record<QuestionKind, boolean>>;
 
-export type Answer<K extends QuestionKind> = (typeof OF_THE_RUN)[K] extends true
+export type Answer<K extends QuestionKind> = (typeof RUN_DEPENDENT)[K] extends true
   ? Questions[K]['answer'] | undefined
   : Questions[K]['answer'];
 
@@ -383,7 +388,7 @@ export interface Question<K extends QuestionKind = QuestionKind> {
   readonly kind: 'question';
   readonly id: number;
   readonly about: K;
-  readonly ask: Questions[K]['ask'];
+  readonly args: Questions[K]['args'];
 }
 
 export type WorkShown = 'blank' | 'chuck' | 'tailstock' | 'collision';
@@ -430,9 +435,9 @@ export interface Report {
   readonly decimal: string | undefined;
   /**
    * `whole`: everything; `path`: without the part, which takes longer; `part`: the part for a path reported before;
-   * `again`: the last report in another language or unit.
+   * `repeated`: the last report in another language or unit.
    */
-  readonly stage: 'whole' | 'path' | 'part' | 'again';
+  readonly stage: 'whole' | 'path' | 'part' | 'repeated';
   /** Why the last setup was rejected; the run then used the one before. */
   readonly setupRejected: string | undefined;
   /** Undefined until all material is removed. */
@@ -470,10 +475,10 @@ export type RunEvent =
   | { readonly kind: 'switches'; readonly inText: SwitchesInText }
   | { readonly kind: 'pictures'; readonly pictures: Pictures }
   /**
-   * The run has ended, all material is removed and its last picture is shown; `heard` is the number of messages of the
-   * page that were received by then.
+   * The run has ended, all material is removed and its last picture is shown; `received` is the number of messages of
+   * the page that were received by then.
    */
-  | { readonly kind: 'settled'; readonly heard: number }
+  | { readonly kind: 'settled'; readonly received: number }
   | { readonly kind: 'answer'; readonly id: number; readonly answer: unknown };
 
 /** An event with the number of its run. */
@@ -484,7 +489,7 @@ export type ToWorker =
   /** The first message to a worker. */
   | { readonly kind: 'files'; readonly files: PartFiles }
   | Core
-  | { readonly kind: 'say'; readonly session: number; readonly what: Command | Question }
+  | { readonly kind: 'to-session'; readonly session: number; readonly content: Command | Question }
   | { readonly kind: 'close'; readonly session: number }
   | { readonly kind: 'ping' };
 
@@ -494,7 +499,7 @@ export type FromWorker =
   /** The interpreter threw while processing this session: the worker is unusable. */
   | { readonly kind: 'crashed'; readonly session: number; readonly reason: string }
   /** The worker processes this session until the next such message. */
-  | { readonly kind: 'at-work'; readonly session: number }
+  | { readonly kind: 'active'; readonly session: number }
   | { readonly kind: 'pong' }
   | { readonly kind: 'event'; readonly session: number; readonly event: SessionEvent };
 
@@ -502,6 +507,6 @@ export type FromWorker =
  * Whether a message may change the display. Both sides count these, so that the page knows which messages were
  * processed.
  */
-export function counts(message: Command | Question): boolean {
+export function mayChangeDisplay(message: Command | Question): boolean {
   return message.kind !== 'shown';
 }

@@ -9,7 +9,7 @@ export interface Lines {
 }
 
 /** For example `6-8, 12`. */
-export function linesOf(attribute: string | null): readonly Lines[] {
+export function parseLines(attribute: string | null): readonly Lines[] {
   const parts = (attribute ?? '').split(',').map((part) => /^\s*(\d{1,9})(?:\s*[-–]\s*(\d{1,9}))?\s*$/.exec(part));
   return parts.flatMap((part) => {
     if (part === null) return [];
@@ -25,7 +25,7 @@ export type Step =
   | { readonly kind: 'line'; readonly line: number };
 
 /** `12`: after the twelfth motion; `line 8`: before the motions of line 8. */
-export function stepOf(attribute: string | null): Step | undefined {
+export function parseStep(attribute: string | null): Step | undefined {
   const found = /^\s*(line)?\s*(\d{1,9})\s*$/i.exec(attribute ?? '');
   const number = Number(found?.[2] ?? 0);
   if (found === null || number < 1) return undefined;
@@ -37,7 +37,7 @@ export type Frame = (typeof FRAMES)[number];
 export const SIDES = ['front', 'rear'] as const;
 export type Side = (typeof SIDES)[number];
 
-/** The value of an attribute if it is one of `words`, or undefined. */
-export function oneOf<T extends string>(words: readonly T[], attribute: string | null): T | undefined {
-  return words.find((word) => word === attribute);
+/** The value of an attribute if it is one of `allowed`, or undefined. */
+export function oneOf<T extends string>(allowed: readonly T[], attribute: string | null): T | undefined {
+  return allowed.find((word) => word === attribute);
 }

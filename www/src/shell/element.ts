@@ -75,17 +75,17 @@ import { make } from '../dom/dom';
 import { languageOf, type Language } from '../dom/language';
 import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encodings';
-import type { Differed, ExportFormat, OtherVersion } from '../protocol/protocol';
-import type { ClientPlace, Services } from '../panels/panel';
-import { controlsOf, viewOf, type View } from './layout';
+import type { DifferenceResult, ExportFormat, OtherVersion } from '../protocol/protocol';
+import type { ClientPoint, Services } from '../panels/panel';
+import { shownControls, parseView, type View } from './layout';
 import { whenParsed } from './parsed';
 import { Settling } from './settling';
-import { mergedSetup } from './start';
+import { mergeSetup } from './merged-setup';
 import { PlaygroundShell } from './shell';
 import { Source, textInside } from './source';
-import { adopt } from './style-sheets';
-import { upgradeIn, upgradeThePage } from './upgrade';
-import { loadingOf, startButton, whenNear, type Loading } from './when-seen';
+import { adoptStyles } from './style-sheets';
+import { upgradeIn, upgradeDocument } from './upgrade';
+import { parseLoading, startButton, whenNear, type Loading } from './when-seen';
 import colours from '../colours.css?inline';
 import styles from './styles.css?inline';
 
@@ -95,12 +95,12 @@ export interface OpenedProgram {
 }
 
 /** A change of these attributes renders the element again. */
-const MAKES_ANEW: readonly string[] = ['view', 'controls', 'readonly'];
+const RERENDERING_ATTRIBUTES: readonly string[] = ['view', 'controls', 'readonly'];
 /** The author's attributes for lines and picture. */
-const AUTHORS: readonly string[] = ['highlight', 'lines', 'fit', 'turret', 'caption', 'playground'];
+const AUTHOR_ATTRIBUTES: readonly string[] = ['highlight', 'lines', 'fit', 'turret', 'caption', 'playground'];
 
 /** These need no update: they are read when the pointer or the focus reaches a link. */
-const PAGES: readonly string[] = ['rules', 'docs'];
+const LINK_ATTRIBUTES: readonly string[] = ['rules', 'docs'];
 
 /** Node has no `HTMLElement`; there the class is only imported, never instantiated. */
 const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
@@ -132,11 +132,11 @@ export class GcodePlayground extends Base {
   /** Set by the page to identify the program; null after another program has replaced it. */
   #origin: string | null = null;
   /** Created when the element is first inserted into a document. */
-  #made: PlaygroundShell | undefined;
+  #createdShell: PlaygroundShell | undefined;
   /** The values of `view`, `controls` and `readonly` for which the shell was created. */
-  #madeFor = '';
+  #renderedView = '';
   /** A program that was set before the shell was created. */
-  #early: OpenedProgram | undefined;
+  #initialProgram: OpenedProgram | undefined;
   /** The source of the program, until one is set. */
   #source: Source | undefined;
   /** Stops waiting for the element to come near the viewport. */
@@ -145,95 +145,99 @@ export class GcodePlayground extends Base {
 
   constructor() {
     super();
-    this.addEventListener('keydown', (event) => this.#made?.pressed(event), { capture: true });
-    for (const use of ['focusin', 'pointerdown']) this.addEventListener(use, () => used(this));
+    this.addEventListener('keydown', (event) => this.#createdShell?.handleKey(event), { capture: true });
+    for (const use of ['focusin', 'pointerdown']) this.addEventListener(use, () => markAsLastUsed(this));
     for (const type of ['keydown', 'keypress', 'keyup'] as const)
-      this.addEventListener(type, (event) => this.#keep(event));
+      this.addEventListener(type, (event) => this.#keepKeyInside(event));
   }
 
   connectedCallback(): void {
-    inDocument.add(this);
-    if (inDocument.size === 1) document.addEventListener('keydown', playKeys);
-    this.#takeEarlyProperties();
-    if (this.#made !== undefined) return this.#begin();
-    this.#root();
-    if (this.#early !== undefined) this.#wait();
-    else whenParsed(this, () => this.#wait());
+    connectedElements.add(this);
+    if (connectedElements.size === 1) document.addEventListener('keydown', onDocumentKeydown);
+    this.#upgradeProperties();
+    if (this.#createdShell !== undefined) return this.#start();
+    this.#prepareRoot();
+    if (this.#initialProgram !== undefined) this.#scheduleStart();
+    else whenParsed(this, () => this.#scheduleStart());
   }
 
   disconnectedCallback(): void {
-    inDocument.delete(this);
-    if (inDocument.size === 0) document.removeEventListener('keydown', playKeys);
+    connectedElements.delete(this);
+    if (connectedElements.size === 0) document.removeEventListener('keydown', onDocumentKeydown);
     this.#stopWaiting?.();
-    this.#made?.disconnect();
+    this.#createdShell?.disconnect();
   }
 
   /**
    * Keys typed inside must not trigger commands of the page: manuals turn pages with arrow keys and open a search with
    * letters.
    */
-  #keep(event: KeyboardEvent): void {
+  #keepKeyInside(event: KeyboardEvent): void {
     const [origin] = event.composedPath();
-    if (isTyped(event) && origin instanceof Node && origin.getRootNode() === this.shadowRoot) event.stopPropagation();
+    if (isPlainKey(event) && origin instanceof Node && origin.getRootNode() === this.shadowRoot)
+      event.stopPropagation();
   }
 
   /** Handles a key that was pressed outside of the element. */
-  pressed(event: KeyboardEvent): void {
-    this.#made?.pressed(event);
+  handleKey(event: KeyboardEvent): void {
+    this.#createdShell?.handleKey(event);
   }
 
-  attributeChangedCallback(attribute: string, before: string | null, now: string | null): void {
-    if (before === now || PAGES.includes(attribute)) return;
-    if (attribute === 'language') this.#made?.languageChanged();
-    else if (attribute === 'theme') this.#made?.coloursChanged();
-    else if (MAKES_ANEW.includes(attribute)) this.#lookChanged();
-    else if (attribute === 'step') this.#made?.stepChanged();
-    else if (AUTHORS.includes(attribute)) this.#made?.authorChanged();
+  attributeChangedCallback(attribute: string, oldValue: string | null, newValue: string | null): void {
+    if (oldValue === newValue || LINK_ATTRIBUTES.includes(attribute)) return;
+    if (attribute === 'language') this.#createdShell?.languageChanged();
+    else if (attribute === 'theme') this.#createdShell?.coloursChanged();
+    else if (RERENDERING_ATTRIBUTES.includes(attribute)) this.#rerender();
+    else if (attribute === 'step') this.#createdShell?.stepChanged();
+    else if (AUTHOR_ATTRIBUTES.includes(attribute)) this.#createdShell?.authorChanged();
     else if (attribute === 'src') this.#source?.addressChanged();
-    else if (attribute === 'loading') this.#wait();
-    else this.#made?.setupChanged();
+    else if (attribute === 'loading') this.#scheduleStart();
+    else this.#createdShell?.setupChanged();
   }
 
   /** Resolved with the number of the run when everything is shown. Reading it starts a lazy element. */
   get settled(): Promise<number> {
-    if (this.#made === undefined) whenParsed(this, () => this.isConnected && this.#begin());
+    if (this.#createdShell === undefined) whenParsed(this, () => this.isConnected && this.#start());
     return this.#settling.promise;
   }
 
   get value(): string {
-    return this.#made?.editor.text ?? this.#early?.text ?? textInside(this);
+    return this.#createdShell?.editor.text ?? this.#initialProgram?.text ?? textInside(this);
   }
 
   /** Setting the current text has no effect: a page that writes back each change keeps cursor, history and file. */
   set value(text: string) {
-    const { text: own } = this.opened;
-    if (text !== own && text !== this.value) this.opened = { text, file: undefined };
+    const { text: currentText } = this.opened;
+    if (text !== currentText && text !== this.value) this.opened = { text, file: undefined };
   }
 
   /** Length of the program in UTF-16 units, each line end counted as one. */
   get length(): number {
-    return this.#made?.editor.length ?? this.value.length;
+    return this.#createdShell?.editor.length ?? this.value.length;
   }
 
   /** The file that the program was opened from. */
   get file(): ProgramFile | undefined {
-    return this.#made?.editor.file ?? this.#early?.file;
+    return this.#createdShell?.editor.file ?? this.#initialProgram?.file;
   }
 
   /** The program with the line ends of its file, and the file. */
   get opened(): OpenedProgram {
-    const editor = this.#made?.editor;
-    if (editor === undefined) return this.#early ?? { text: textInside(this), file: undefined };
+    const editor = this.#createdShell?.editor;
+    if (editor === undefined) return this.#initialProgram ?? { text: textInside(this), file: undefined };
     return { text: editor.textWithLineEnds, file: editor.file };
   }
 
   set opened(opened: OpenedProgram) {
     const { text, file } = opened;
-    if (this.#made === undefined) {
-      this.#early = opened;
+    if (this.#createdShell === undefined) {
+      this.#initialProgram = opened;
       return;
     }
-    this.#made.put(programText(text), file !== undefined && ENCODINGS.includes(file.encoding) ? file : undefined);
+    this.#createdShell.setProgram(
+      programText(text),
+      file !== undefined && ENCODINGS.includes(file.encoding) ? file : undefined,
+    );
   }
 
   get language(): Language {
@@ -253,7 +257,7 @@ export class GcodePlayground extends Base {
   }
 
   get loading(): Loading {
-    return loadingOf(this.getAttribute('loading'));
+    return parseLoading(this.getAttribute('loading'));
   }
 
   set loading(loading: Loading) {
@@ -310,7 +314,7 @@ export class GcodePlayground extends Base {
   }
 
   get view(): View {
-    return viewOf(this.getAttribute('view'));
+    return parseView(this.getAttribute('view'));
   }
 
   set view(view: View) {
@@ -417,29 +421,29 @@ export class GcodePlayground extends Base {
   }
 
   play(): void {
-    this.#with('play', (play) => play());
+    this.#callService('play', (play) => play());
   }
 
   pause(): void {
-    this.#with('pause', (pause) => pause());
+    this.#callService('pause', (pause) => pause());
   }
 
   override focus(): void {
-    this.#made?.editor.focus();
+    this.#createdShell?.editor.focus();
   }
 
   /** The position of the point X (a diameter), Z in mm, in CSS pixels of the window. */
-  async locate(x: number, z: number): Promise<ClientPlace> {
+  async locate(x: number, z: number): Promise<ClientPoint> {
     return this.#shell.service('locate')('section', x, z);
   }
 
   /** The same for the end face: X a diameter, C in mm. */
-  async locateOnFace(x: number, c: number): Promise<ClientPlace> {
+  async locateOnFace(x: number, c: number): Promise<ClientPoint> {
     return this.#shell.service('locate')('face', x, c);
   }
 
   /** The same for the side: Z in mm, C in degrees, or Y in mm if its ruler shows Y. */
-  async locateOnSide(z: number, c: number): Promise<ClientPlace> {
+  async locateOnSide(z: number, c: number): Promise<ClientPoint> {
     return this.#shell.service('locate')('side', z, c);
   }
 
@@ -452,7 +456,7 @@ export class GcodePlayground extends Base {
 
   /** Saves the program as a file, in the encoding and with the line ends of the opened file. */
   saveFile(): void {
-    this.#with('saveFile', (save) => save());
+    this.#callService('saveFile', (save) => save());
   }
 
   /** The content of a file of the menu "Export"; undefined if there is no part or no interpreter. */
@@ -465,13 +469,13 @@ export class GcodePlayground extends Base {
 
   /** Stores the part, so that later programs are drawn over it. */
   keepPart(): void {
-    this.#with('keepPart', (keep) => keep());
+    this.#callService('keepPart', (keep) => keep());
   }
 
   /**
    * The differences from another version, which counts as the first; undefined if the program has changed meanwhile.
    */
-  async differenceFrom(other: OtherVersion): Promise<Differed | undefined> {
+  async differenceFrom(other: OtherVersion): Promise<DifferenceResult | undefined> {
     const shell = this.#shell;
     await shell.complete;
     return shell.ask('difference', other);
@@ -479,48 +483,48 @@ export class GcodePlayground extends Base {
 
   /** Ends the comparison that `keepPart` started; one that the user started continues. */
   endComparison(): void {
-    this.#with('endComparison', (end) => end());
+    this.#callService('endComparison', (end) => end());
   }
 
   /** Creates the shell if the element is still waiting for the viewport. */
   get #shell(): PlaygroundShell {
-    if (this.isConnected && this.#made === undefined) this.#begin();
-    if (this.#made === undefined) throw new Error('the playground is not in a document');
-    return this.#made;
+    if (this.isConnected && this.#createdShell === undefined) this.#start();
+    if (this.#createdShell === undefined) throw new Error('the playground is not in a document');
+    return this.#createdShell;
   }
 
   /** Starts according to `loading`. */
-  #wait(): void {
+  #scheduleStart(): void {
     this.#stopWaiting?.();
-    if (!this.isConnected || this.#made !== undefined) return;
-    const root = this.#root();
+    if (!this.isConnected || this.#createdShell !== undefined) return;
+    const root = this.#prepareRoot();
     root.replaceChildren();
-    if (this.loading === 'eager') this.#begin();
-    else if (this.loading === 'lazy') this.#stopWaiting = whenNear(this, () => this.#begin());
+    if (this.loading === 'eager') this.#start();
+    else if (this.loading === 'lazy') this.#stopWaiting = whenNear(this, () => this.#start());
     else
       root.append(
         make('slot', { name: 'fallback' }),
         make(
           'div',
           { className: 'own' },
-          startButton(this.language, () => this.#begin()),
+          startButton(this.language, () => this.#start()),
         ),
       );
   }
 
-  #begin(): void {
+  #start(): void {
     this.#stopWaiting?.();
-    if (this.#made === undefined) {
-      this.#root().replaceChildren();
-      this.#made = this.#make();
+    if (this.#createdShell === undefined) {
+      this.#prepareRoot().replaceChildren();
+      this.#createdShell = this.#createShell();
     }
-    this.#made.connect();
+    this.#createdShell.connect();
   }
 
   /** Attaches the styles first, so that the element has its size before it has content. */
-  #root(): ShadowRoot {
+  #prepareRoot(): ShadowRoot {
     const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
-    adopt(root, [colours, styles]);
+    adoptStyles(root, [colours, styles]);
     return root;
   }
 
@@ -556,8 +560,8 @@ export class GcodePlayground extends Base {
    * The complete setup of the run as JSON, merged from `setup` and the other attributes; undefined if it is invalid.
    */
   get wholeSetup(): string | undefined {
-    const merged = mergedSetup(this.setup, this);
-    return merged.kind === 'setup' && isJson(merged.json) ? merged.json : undefined;
+    const result = mergeSetup(this.setup, this);
+    return result.kind === 'setup' && isJson(result.json) ? result.json : undefined;
   }
 
   /** The drawing as SVG, or the shown picture as PNG; undefined if there is none yet. */
@@ -571,35 +575,35 @@ export class GcodePlayground extends Base {
   }
 
   /** Calls a service of the view: immediately, or when its panel is loaded. */
-  #with<S extends 'play' | 'pause' | 'saveFile' | 'keepPart' | 'endComparison'>(
+  #callService<S extends 'play' | 'pause' | 'saveFile' | 'keepPart' | 'endComparison'>(
     name: S,
-    act: (service: Services[S]) => void,
+    callback: (service: Services[S]) => void,
   ): void {
     const shell = this.#shell;
     if (!shell.offers(name)) throw new Error(`view="${shell.view}" does not offer ${name}`);
     void shell.complete.then(
-      () => act(shell.service(name)),
+      () => callback(shell.service(name)),
       () => undefined,
     );
   }
 
   /** `view`, `controls` or `readonly` has changed: creates another shell with the same program. */
-  #lookChanged(): void {
-    const made = this.#made;
-    if (made === undefined || this.#look === this.#madeFor) return;
-    this.#early = this.opened;
+  #rerender(): void {
+    const made = this.#createdShell;
+    if (made === undefined || this.#viewKey === this.#renderedView) return;
+    this.#initialProgram = this.opened;
     made.disconnect();
-    this.#made = undefined;
+    this.#createdShell = undefined;
     this.shadowRoot?.replaceChildren();
-    if (this.isConnected) this.#begin();
+    if (this.isConnected) this.#start();
   }
 
-  get #look(): string {
-    return JSON.stringify([this.view, controlsOf(this.view, this.controls), this.readonly]);
+  get #viewKey(): string {
+    return JSON.stringify([this.view, shownControls(this.view, this.controls), this.readonly]);
   }
 
   /** Properties that were set before the class was defined hide its accessors: set them again. */
-  #takeEarlyProperties(): void {
+  #upgradeProperties(): void {
     for (const name of Object.getOwnPropertyNames(this)) {
       if (Object.getOwnPropertyDescriptor(GcodePlayground.prototype, name)?.set === undefined) continue;
       const value: unknown = Reflect.get(this, name);
@@ -608,33 +612,33 @@ export class GcodePlayground extends Base {
     }
   }
 
-  #make(): PlaygroundShell {
-    const root = this.#root();
-    this.#madeFor = this.#look;
+  #createShell(): PlaygroundShell {
+    const root = this.#prepareRoot();
+    this.#renderedView = this.#viewKey;
     const shell = new PlaygroundShell(root, this, {
       fire: (type, detail) => this.#fire(type, detail),
-      changed: () => this.#changed(),
-      unsettled: () => this.#settling.unsettle(),
-      settled: (run) => this.#settling.settle(run),
+      onChange: () => this.#fireChange(),
+      onUnsettled: () => this.#settling.unsettle(),
+      onSettled: (run) => this.#settling.settle(run),
     });
-    if (this.#early === undefined) {
-      this.#source = this.#sourceFor(() => this.#made ?? shell);
-      shell.start(this.#source.begin(), undefined);
-    } else shell.start(this.#early.text, this.#early.file);
+    if (this.#initialProgram === undefined) {
+      this.#source = this.#createSource(() => this.#createdShell ?? shell);
+      shell.start(this.#source.start(), undefined);
+    } else shell.start(this.#initialProgram.text, this.#initialProgram.file);
     return shell;
   }
 
-  #sourceFor(shell: () => PlaygroundShell): Source {
+  #createSource(shell: () => PlaygroundShell): Source {
     return new Source(this, {
       current: () => shell().editor.text,
-      program: (text, file) => shell().programCame(text, file),
-      setup: (json) => this.setAttribute('setup', json),
-      coming: (address, how) => shell().programComing(address, how),
-      failed: (address, reason, again) => shell().programFailed(address, reason, again),
+      onProgram: (text, file) => shell().programLoaded(text, file),
+      onSetup: (json) => this.setAttribute('setup', json),
+      onLoading: (address, how) => shell().programLoading(address, how),
+      onFailed: (address, reason, retry) => shell().programFailed(address, reason, retry),
     });
   }
 
-  #changed(): void {
+  #fireChange(): void {
     const element = this;
     // A getter, since this runs after each key and a program can be 20 MB long.
     this.#fire('gcode-change', {
@@ -656,11 +660,11 @@ export class GcodePlayground extends Base {
 }
 
 /** The elements of the page, the last used one last. */
-const inDocument = new Set<GcodePlayground>();
+const connectedElements = new Set<GcodePlayground>();
 
-function used(element: GcodePlayground): void {
-  if (!inDocument.delete(element)) return;
-  inDocument.add(element);
+function markAsLastUsed(element: GcodePlayground): void {
+  if (!connectedElements.delete(element)) return;
+  connectedElements.add(element);
 }
 
 function isJson(text: string): boolean {
@@ -673,20 +677,20 @@ function isJson(text: string): boolean {
 }
 
 /** Keys without a modifier, which pages use as commands, and which type or move in a text, list or drawing. */
-function isTyped({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
+function isPlainKey({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
   return !ctrlKey && !metaKey && !altKey && key !== 'Escape' && key !== 'Tab' && !/^F\d+$/.test(key);
 }
 
 /** The keys of the playback also work if the focus is outside, but not in a text field. */
-function playKeys(event: KeyboardEvent): void {
-  const isOne = event.key === 'F9' || (event.key === 'Enter' && (event.ctrlKey || event.metaKey));
-  if (!isOne || event.defaultPrevented) return;
+function onDocumentKeydown(event: KeyboardEvent): void {
+  const isPlayKey = event.key === 'F9' || (event.key === 'Enter' && (event.ctrlKey || event.metaKey));
+  if (!isPlayKey || event.defaultPrevented) return;
   const path = event.composedPath();
   const isText = path.some(
     (part) => part instanceof HTMLElement && (part.isContentEditable || part.matches('input, textarea')),
   );
   if (isText || path.some((part) => part instanceof GcodePlayground)) return;
-  [...inDocument].at(-1)?.pressed(event);
+  [...connectedElements].at(-1)?.handleKey(event);
 }
 
 /**
@@ -699,5 +703,5 @@ export function upgrade(root: ParentNode = document): void {
 
 if (typeof customElements !== 'undefined') {
   if (customElements.get('gcode-playground') === undefined) customElements.define('gcode-playground', GcodePlayground);
-  upgradeThePage(GcodePlayground.observedAttributes);
+  upgradeDocument(GcodePlayground.observedAttributes);
 }

@@ -10,24 +10,24 @@ import { CONTROLS, type Control, type Region, type Services } from '../panels/pa
 export const VIEWS = ['all', 'picture', 'playback', 'code'] as const;
 export type View = (typeof VIEWS)[number];
 
-export function viewOf(attribute: string | null): View {
+export function parseView(attribute: string | null): View {
   return VIEWS.find((view) => view === attribute) ?? 'all';
 }
 
 /** The methods of the element that are missing in some views. */
-export type Offered = Extract<
+export type OptionalService = Extract<
   keyof Services,
   'play' | 'pause' | 'openFile' | 'saveFile' | 'exported' | 'keepPart' | 'endComparison'
 >;
 
-interface Shown {
+interface ViewContents {
   readonly program: boolean;
   readonly picture: boolean;
   readonly controls: readonly Control[];
-  readonly offers: readonly Offered[];
+  readonly offers: readonly OptionalService[];
 }
 
-export const SHOWN: Readonly<Record<View, Shown>> = {
+export const VIEW_CONTENTS: Readonly<Record<View, ViewContents>> = {
   all: {
     program: true,
     picture: true,
@@ -40,11 +40,11 @@ export const SHOWN: Readonly<Record<View, Shown>> = {
 };
 
 /** The groups of panels that are shown in a view, filtered by the attribute `controls`. */
-export function controlsOf(view: View, attribute: string | null): readonly Control[] {
-  const { controls } = SHOWN[view];
+export function shownControls(view: View, attribute: string | null): readonly Control[] {
+  const { controls } = VIEW_CONTENTS[view];
   if (attribute === null) return controls;
-  const wanted = attribute.split(/[\s,]+/);
-  return controls.filter((control) => wanted.includes(control));
+  const names = attribute.split(/[\s,]+/);
+  return controls.filter((control) => names.includes(control));
 }
 
 export interface Layout {
@@ -55,23 +55,23 @@ export interface Layout {
   /** Under the frame. */
   readonly caption: HTMLElement;
   /** Frame and caption. */
-  readonly whole: HTMLElement;
+  readonly container: HTMLElement;
 }
 
-export function layout(view: View, editor: HTMLElement): Layout {
-  const bare = (): HTMLElement => make('div', { className: 'region' });
+export function createLayout(view: View, editor: HTMLElement): Layout {
+  const plainRegion = (): HTMLElement => make('div', { className: 'region' });
   const regions = {
     tabs: make('div', { className: 'tabs' }),
     notices: make('div', { className: 'notices' }),
     bar: make('div', { className: 'bar', part: 'bar' }),
-    problems: bare(),
-    divider: bare(),
+    problems: plainRegion(),
+    divider: plainRegion(),
     views: make('div', { className: 'views', part: 'views', role: 'group' }),
     assumptions: make('div', { className: 'assumptions', part: 'assumptions' }),
     pictures: make('div', { className: 'pictures' }),
     playback: make('div', { className: 'playback', part: 'playback', role: 'group' }),
     foot: make('div', { className: 'foot' }),
-    dialogs: bare(),
+    dialogs: plainRegion(),
   };
   // The content for users without scripts is shown here until there is a picture.
   const fallback = make('div', { className: 'fallback', part: 'fallback' }, make('slot', { name: 'fallback' }));
@@ -118,6 +118,6 @@ export function layout(view: View, editor: HTMLElement): Layout {
   }
   frame.append(regions.dialogs);
   const caption = make('p', { className: 'caption', part: 'caption', id: 'caption', dir: 'auto', hidden: true });
-  const whole = make('div', { className: 'own whole', role: 'group' }, frame, caption);
-  return { whole, frame, regions, fallback, caption };
+  const container = make('div', { className: 'own whole', role: 'group' }, frame, caption);
+  return { container, frame, regions, fallback, caption };
 }

@@ -2,7 +2,8 @@
 //
 // In: the missing parts, the reasons, and functions that load them again. Out: the notice. All missing parts are loaded
 // again when the user clicks the button or edits the program, and when the network returns. Each has one attempt at a
-// time; an edit starts one no sooner than `PAUSE_MS` after the last failure. Must not know: how a part is loaded.
+// time; an edit starts one no sooner than `MIN_RETRY_DELAY_MS` after the last failure. Must not know: how a part is
+// loaded.
 
 import type { Language } from '../dom/language';
 import { whenOnline } from '../dom/network';
@@ -12,32 +13,32 @@ const KINDS = ['interpreter', 'parts', 'panels', 'editor', 'completion'] as cons
 export type MissingKind = (typeof KINDS)[number];
 
 /** Minimum delay between a failure and an attempt after an edit. */
-const PAUSE_MS = 2_000;
+const MIN_RETRY_DELAY_MS = 2_000;
 
-interface Thing {
-  readonly say: (language: Language) => string;
+interface MissingPart {
+  readonly message: (language: Language) => string;
   /** Retries; `'reload'` if only reloading the page helps. */
-  readonly again: (() => void) | 'reload';
-  isTried: boolean;
+  readonly retry: (() => void) | 'reload';
+  isRetrying: boolean;
   /** Another attempt was requested during the current one: the network may have returned meanwhile. */
-  isWanted: boolean;
+  isRetryRequested: boolean;
 }
 
-export interface MissingEvents {
+interface MissingEvents {
   /** Shows the text of the notice with its button; `undefined` hides the notice. */
-  show(text: string | undefined, remedy: 'try-again' | 'reload'): void;
+  show(text: string | undefined, action: 'try-again' | 'reload'): void;
 }
 
 export class Missing {
   readonly #events: MissingEvents;
-  readonly #things = new Map<MissingKind, Thing>();
+  readonly #parts = new Map<MissingKind, MissingPart>();
   #language: Language;
   /** Earliest time of an attempt after an edit (`performance.now`). */
-  #notBefore = 0;
-  #soon: ReturnType<typeof setTimeout> | undefined;
+  #earliestRetry = 0;
+  #retryTimer: ReturnType<typeof setTimeout> | undefined;
   /** Set during an attempt, so that the run it starts does not count as an edit. */
-  #isTrying = false;
-  #stopWaiting: (() => void) | undefined;
+  #isRetryingAll = false;
+  #stopWaitingForNetwork: (() => void) | undefined;
 
   constructor(language: Language, events: MissingEvents) {
     this.#language = language;
@@ -49,71 +50,71 @@ export class Missing {
     this.#show();
   }
 
-  /** Reports a failure; `again` retries it, and then either `failed` or `works` is called. */
-  failed(kind: MissingKind, say: (language: Language) => string, again: Thing['again']): void {
+  /** Reports a failure; `retry` retries it, and then either `markFailed` or `markLoaded` is called. */
+  markFailed(kind: MissingKind, message: (language: Language) => string, retry: MissingPart['retry']): void {
     // Several callers can report the same failure.
-    const before = this.#things.get(kind);
-    if (before?.isTried !== false) this.#notBefore = performance.now() + PAUSE_MS;
-    this.#things.set(kind, { say, again, isTried: false, isWanted: false });
+    const before = this.#parts.get(kind);
+    if (before?.isRetrying !== false) this.#earliestRetry = performance.now() + MIN_RETRY_DELAY_MS;
+    this.#parts.set(kind, { message, retry, isRetrying: false, isRetryRequested: false });
     this.#show();
-    if (before?.isWanted === true) this.changed();
-    this.#stopWaiting ??= whenOnline(() => {
-      this.#stopWaiting = undefined;
-      this.tryAgain();
+    if (before?.isRetryRequested === true) this.onEdit();
+    this.#stopWaitingForNetwork ??= whenOnline(() => {
+      this.#stopWaitingForNetwork = undefined;
+      this.retryAll();
     });
   }
 
   /** Reports an attempt that was started elsewhere. */
-  tried(kind: MissingKind): void {
-    const thing = this.#things.get(kind);
-    if (thing !== undefined) thing.isTried = true;
+  markRetrying(kind: MissingKind): void {
+    const part = this.#parts.get(kind);
+    if (part !== undefined) part.isRetrying = true;
   }
 
-  works(kind: MissingKind): void {
-    if (!this.#things.delete(kind)) return;
-    if (this.#things.size === 0) this.leave();
+  markLoaded(kind: MissingKind): void {
+    if (!this.#parts.delete(kind)) return;
+    if (this.#parts.size === 0) this.cancelRetries();
     this.#show();
   }
 
-  tryAgain(): void {
-    clearTimeout(this.#soon);
-    this.#soon = undefined;
-    this.#isTrying = true;
-    for (const thing of [...this.#things.values()]) {
-      if (thing.again === 'reload') continue;
-      thing.isWanted = thing.isTried;
-      if (thing.isTried) continue;
-      thing.isTried = true;
-      thing.again();
+  retryAll(): void {
+    clearTimeout(this.#retryTimer);
+    this.#retryTimer = undefined;
+    this.#isRetryingAll = true;
+    for (const part of [...this.#parts.values()]) {
+      if (part.retry === 'reload') continue;
+      part.isRetryRequested = part.isRetrying;
+      if (part.isRetrying) continue;
+      part.isRetrying = true;
+      part.retry();
     }
-    this.#isTrying = false;
+    this.#isRetryingAll = false;
   }
 
   /** The user has edited the program. */
-  changed(): void {
-    if (this.#things.size === 0 || this.#isTrying) return;
-    this.#soon ??= setTimeout(
+  onEdit(): void {
+    if (this.#parts.size === 0 || this.#isRetryingAll) return;
+    this.#retryTimer ??= setTimeout(
       () => {
-        this.#soon = undefined;
+        this.#retryTimer = undefined;
         // An attempt may have failed since the timer was set.
-        if (performance.now() < this.#notBefore) this.changed();
-        else this.tryAgain();
+        if (performance.now() < this.#earliestRetry) this.onEdit();
+        else this.retryAll();
       },
-      Math.max(0, this.#notBefore - performance.now()),
+      Math.max(0, this.#earliestRetry - performance.now()),
     );
   }
 
   /** Cancels all retries. */
-  leave(): void {
-    clearTimeout(this.#soon);
-    this.#soon = undefined;
-    this.#stopWaiting?.();
-    this.#stopWaiting = undefined;
+  cancelRetries(): void {
+    clearTimeout(this.#retryTimer);
+    this.#retryTimer = undefined;
+    this.#stopWaitingForNetwork?.();
+    this.#stopWaitingForNetwork = undefined;
   }
 
   #show(): void {
-    const first = KINDS.find((kind) => this.#things.has(kind));
-    const thing = first && this.#things.get(first);
-    this.#events.show(thing?.say(this.#language), thing?.again === 'reload' ? 'reload' : 'try-again');
+    const first = KINDS.find((kind) => this.#parts.has(kind));
+    const part = first && this.#parts.get(first);
+    this.#events.show(part?.message(this.#language), part?.retry === 'reload' ? 'reload' : 'try-again');
   }
 }

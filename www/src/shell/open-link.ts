@@ -3,13 +3,13 @@
 // In: the element's attributes and its program. Out: an anchor, whose address is made when the pointer or the focus
 // reaches it, since a program can be long. Must not know: how the page reads the address.
 
-import { icon, make, name } from '../dom/dom';
+import { icon, make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import { writtenLink } from '../files/written-link';
+import { plainTextLink } from '../files/plain-text-link';
 
 /** The properties of the element that the link uses. */
-export interface Opens {
+export interface LinkHost {
   readonly language: Language;
   readonly playground: string | null;
   readonly controls: string | null;
@@ -23,23 +23,23 @@ export class OpenLink {
     { className: 'open-link', part: 'open-link', target: '_blank', rel: 'noopener', hidden: true },
     icon('open'),
   );
-  readonly #host: Opens;
-  readonly #beside: string | undefined;
+  readonly #host: LinkHost;
+  readonly #defaultPage: string | undefined;
 
-  /** `beside`: the page to link to if the attribute `playground` is missing. */
-  constructor(host: Opens, beside: string | undefined) {
+  /** `defaultPage`: the page to link to if the attribute `playground` is missing. */
+  constructor(host: LinkHost, defaultPage: string | undefined) {
     this.#host = host;
-    this.#beside = beside;
+    this.#defaultPage = defaultPage;
     // These come before a click, a middle click and the context menu.
-    for (const near of ['pointerenter', 'pointerdown', 'focus', 'click'])
-      this.element.addEventListener(near, () => this.#address());
+    for (const eventName of ['pointerenter', 'pointerdown', 'focus', 'click'])
+      this.element.addEventListener(eventName, () => this.#updateAddress());
     this.changed();
   }
 
   /** An attribute or the language has changed. */
   changed(): void {
     const { language, controls } = this.#host;
-    name(this.element, WORDS[language].open);
+    setAccessibleName(this.element, WORDS[language].open);
     const page = this.#page;
     this.element.hidden = page === undefined || (controls !== null && !/\blink\b/.test(controls));
     // Without an `href` it would not be a link.
@@ -48,7 +48,7 @@ export class OpenLink {
 
   get #page(): URL | undefined {
     const { playground } = this.#host;
-    const address = playground ?? this.#beside ?? '';
+    const address = playground ?? this.#defaultPage ?? '';
     if (address === '') return undefined;
     try {
       const page = new URL(address, document.baseURI);
@@ -58,20 +58,20 @@ export class OpenLink {
     }
   }
 
-  #address(): void {
+  #updateAddress(): void {
     const page = this.#page;
     if (page === undefined) return;
     const { value: text, language } = this.#host;
-    const said = (name: string): string | null => this.#host.getAttribute(name);
-    page.hash = writtenLink({
+    const attribute = (name: string): string | null => this.#host.getAttribute(name);
+    page.hash = plainTextLink({
       text,
       language,
-      setup: said('setup'),
-      control: said('control'),
-      blockSkip: said('block-skip'),
-      program: said('program'),
+      setup: attribute('setup'),
+      control: attribute('control'),
+      blockSkip: attribute('block-skip'),
+      program: attribute('program'),
       view: null,
-      step: said('step'),
+      step: attribute('step'),
       readonly: false,
     });
     this.element.href = page.href;

@@ -6,7 +6,7 @@ import { make } from '../dom/dom';
 import { isPrinting } from '../dom/printing';
 
 /** UTF-16 units; the rest of a longer program is not printed. */
-const MOST = 200_000;
+const MAX_LENGTH = 200_000;
 
 export class Paper {
   readonly element = make('pre', { className: 'paper', lang: 'en' });
@@ -20,14 +20,14 @@ export class Paper {
   connect(): void {
     if (this.#isEnded) return;
     // If printing has already started, the event `beforeprint` is over.
-    if (isPrinting()) queueMicrotask(this.#before);
-    window.addEventListener('beforeprint', this.#before);
-    window.addEventListener('afterprint', this.#after);
+    if (isPrinting()) queueMicrotask(this.#fill);
+    window.addEventListener('beforeprint', this.#fill);
+    window.addEventListener('afterprint', this.#clear);
   }
 
   disconnect(): void {
-    window.removeEventListener('beforeprint', this.#before);
-    window.removeEventListener('afterprint', this.#after);
+    window.removeEventListener('beforeprint', this.#fill);
+    window.removeEventListener('afterprint', this.#clear);
   }
 
   /** The panels are loaded; they have their own print layout. */
@@ -37,6 +37,6 @@ export class Paper {
     this.element.remove();
   }
 
-  readonly #before = (): void => this.element.replaceChildren(this.#text(0, MOST));
-  readonly #after = (): void => this.element.replaceChildren();
+  readonly #fill = (): void => this.element.replaceChildren(this.#text(0, MAX_LENGTH));
+  readonly #clear = (): void => this.element.replaceChildren();
 }

@@ -7,37 +7,44 @@ const waiting = new Map<Node, () => void>();
 let observer: MutationObserver | undefined;
 
 /** Whether content follows the node, or the document is complete. */
-export function isParsed(node: Node): boolean {
+function isParsed(node: Node): boolean {
   if (document.readyState !== 'loading') return true;
-  for (let at: Node | null = node; at !== null; at = at instanceof ShadowRoot ? at.host : at.parentNode) {
-    if (at.nextSibling !== null) return true;
+  for (
+    let ancestor: Node | null = node;
+    ancestor !== null;
+    ancestor = ancestor instanceof ShadowRoot ? ancestor.host : ancestor.parentNode
+  ) {
+    if (ancestor.nextSibling !== null) return true;
   }
   return false;
 }
 
-/** Calls `act` once the node is complete, or immediately if it is; a later `act` for the same node replaces it. */
-export function whenParsed(node: Node, act: () => void): void {
+/**
+ * Calls `callback` once the node is complete, or immediately if it is; a later `callback` for the same node replaces
+ * it.
+ */
+export function whenParsed(node: Node, callback: () => void): void {
   if (isParsed(node)) {
     waiting.delete(node);
-    act();
+    callback();
     return;
   }
-  waiting.set(node, act);
+  waiting.set(node, callback);
   if (observer !== undefined) return;
-  observer = new MutationObserver(look);
+  observer = new MutationObserver(callReady);
   observer.observe(document, { childList: true, subtree: true });
-  document.addEventListener('readystatechange', look);
+  document.addEventListener('readystatechange', callReady);
 }
 
-function look(): void {
-  for (const [node, act] of [...waiting]) {
+function callReady(): void {
+  for (const [node, callback] of [...waiting]) {
     // A previous callback may have removed it.
-    if (waiting.get(node) !== act || !isParsed(node)) continue;
+    if (waiting.get(node) !== callback || !isParsed(node)) continue;
     waiting.delete(node);
-    act();
+    callback();
   }
   if (waiting.size > 0) return;
   observer?.disconnect();
   observer = undefined;
-  document.removeEventListener('readystatechange', look);
+  document.removeEventListener('readystatechange', callReady);
 }

@@ -4,37 +4,37 @@
 // collected. A worker that has failed is replaced. Must not know: panels, attributes, or the content of a setup.
 
 import type { Program } from '../editor/program';
-import type { Answer, Came, Pictures, QuestionKind, Questions } from '../protocol/protocol';
-import { CoreClient, Newest, type CoreListener, type Heard, type Loss } from '../worker/core-client';
+import type { Answer, ChangeSource, Pictures, QuestionKind, Questions } from '../protocol/protocol';
+import { CoreClient, LatestQuestion, type CoreListener, type CoreEvent, type Loss } from '../worker/core-client';
 import type { NewestQuestion } from '../panels/panel';
 
 /** A failure that is reported to the user; one that another element caused is not. */
-export type OwnLoss = Exclude<Loss, { readonly kind: 'neighbour' }>;
+export type ReportedLoss = Exclude<Loss, { readonly kind: 'other-session' }>;
 
 const SEND_AFTER_MS = 30;
 
-export interface RunsEvents {
+interface RunsEvents {
   /** The setup as JSON; undefined if it is invalid. */
   setup(): string | undefined;
-  heard(event: Heard): void;
-  pictures(pictures: Pictures): void;
+  onEvent(event: CoreEvent): void;
+  onPictures(pictures: Pictures): void;
   /** Text or setup have changed; the last run is outdated. */
-  outdated(): void;
+  onInputChanged(): void;
   /** A run of a changed text starts at the end of this turn. */
-  textChanged(): void;
+  onTextChanged(): void;
   /** A run is requested, whether or not there is a worker. */
-  wanted(): void;
+  onRunRequested(): void;
   /** The newest run has started. */
-  begun(): void;
+  onRunStarted(): void;
   /** Pending edits were sent. */
-  sent(): void;
+  onSent(): void;
   /** The worker has loaded the interpreter. */
-  ready(): void;
+  onReady(): void;
   /** A new worker without any state is connected. */
-  connected(client: CoreClient): void;
-  lost(loss: OwnLoss): void;
-  unsettled(): void;
-  settled(run: number): void;
+  onConnected(client: CoreClient): void;
+  onLost(loss: ReportedLoss): void;
+  onUnsettled(): void;
+  onSettled(run: number): void;
 }
 
 export class Runs {
@@ -42,21 +42,21 @@ export class Runs {
   readonly #events: RunsEvents;
   #client: CoreClient | undefined;
   /** Called with each new client, to update the `NewestQuestion`s. */
-  readonly #followers: ((client: CoreClient | undefined) => void)[] = [];
+  readonly #clientListeners: ((client: CoreClient | undefined) => void)[] = [];
   /** A program of this element has made a worker fail; the element then does not share a worker again. */
   #hasFailed = false;
   /** Pending edits wait for this timer. */
-  #sending: ReturnType<typeof setTimeout> | undefined;
+  #sendTimer: ReturnType<typeof setTimeout> | undefined;
   /** The changes since the last run started. */
   #changes: { readonly framing: 'fit' | 'keep' } | undefined;
   /** The current program has made the last worker fail: only another change starts a run. */
-  #waits = false;
+  #waitsForChange = false;
   /** The worker has the current setup. */
   #setupSent = false;
   /** How the last change of the text was made. */
-  #came: Came = 'typed';
+  #changeSource: ChangeSource = 'typed';
   /** The user has placed the cursor. */
-  #cursorKnown = false;
+  #isCursorPlaced = false;
   /** The framing of the picture for the next sent text. */
   #framing: 'fit' | 'keep' = 'keep';
 
@@ -69,84 +69,84 @@ export class Runs {
 
   /** The client of the worker, after pending changes were sent. */
   get client(): CoreClient | undefined {
-    this.#begin();
+    this.#startRun();
     return this.#client;
   }
 
   connect(): void {
     const events = this.#events;
     const listener: CoreListener = {
-      ready: () => events.ready(),
-      event: (event) => events.heard(event),
-      pictures: (pictures) => events.pictures(pictures),
-      unsettled: () => events.unsettled(),
-      settled: (run) => events.settled(run),
-      lost: (loss) => this.#lost(loss),
+      onReady: () => events.onReady(),
+      onEvent: (event) => events.onEvent(event),
+      onPictures: (pictures) => events.onPictures(pictures),
+      onUnsettled: () => events.onUnsettled(),
+      onSettled: (run) => events.onSettled(run),
+      onLost: (loss) => this.#onWorkerLost(loss),
     };
-    const client = (this.#client = new CoreClient(listener, this.#hasFailed ? 'apart' : 'with-others'));
-    for (const follow of this.#followers) follow(client);
-    this.#editor.unsend();
+    const client = (this.#client = new CoreClient(listener, this.#hasFailed ? 'separate' : 'shared'));
+    for (const update of this.#clientListeners) update(client);
+    this.#editor.markAllUnsent();
     this.#setupSent = false;
-    events.connected(client);
+    events.onConnected(client);
   }
 
   /** After a failure: runs the program in a new worker, unless a change has already done so. */
-  again(): void {
+  restart(): void {
     if (this.#client === undefined) this.connect();
-    else if (!this.#waits) return;
-    this.wanted('keep');
+    else if (!this.#waitsForChange) return;
+    this.requestRun('keep');
   }
 
   end(): void {
     this.#client?.end();
-    this.#leave();
+    this.#dropClient();
   }
 
-  newest<K extends QuestionKind>(about: K, answered: (answer: Answer<K>) => void): NewestQuestion<K> {
-    let newest: Newest<K> | undefined;
-    const follow = (client: CoreClient | undefined): void => {
-      newest = client === undefined ? undefined : new Newest(client, about, answered);
+  newest<K extends QuestionKind>(about: K, onAnswer: (answer: Answer<K>) => void): NewestQuestion<K> {
+    let newest: LatestQuestion<K> | undefined;
+    const update = (client: CoreClient | undefined): void => {
+      newest = client === undefined ? undefined : new LatestQuestion(client, about, onAnswer);
     };
-    this.#followers.push(follow);
-    follow(this.#client);
-    return { ask: (ask: Questions[K]['ask']) => newest?.ask(ask), forget: () => newest?.forget() };
+    this.#clientListeners.push(update);
+    update(this.#client);
+    return { ask: (ask: Questions[K]['args']) => newest?.ask(ask), cancel: () => newest?.cancel() };
   }
 
-  #leave(): void {
+  #dropClient(): void {
     this.#client = undefined;
-    for (const follow of this.#followers) follow(undefined);
+    for (const update of this.#clientListeners) update(undefined);
   }
 
   /** Replaces the worker. It waits for the user's next change, since the same text would only fail again. */
-  #lost(loss: Loss): void {
-    if (loss.kind === 'neighbour') {
+  #onWorkerLost(loss: Loss): void {
+    if (loss.kind === 'other-session') {
       // The user notices nothing: another element caused the failure.
       this.connect();
-      this.wanted('keep');
+      this.requestRun('keep');
       return;
     }
-    if (loss.kind === 'load-failed') this.#leave();
+    if (loss.kind === 'load-failed') this.#dropClient();
     else {
-      this.#hasFailed = this.#waits = true;
+      this.#hasFailed = this.#waitsForChange = true;
       this.connect();
     }
-    this.#events.lost(loss);
+    this.#events.onLost(loss);
   }
 
   // ---- changes ------------------------------------------------------------------------------------
 
   /** The user has typed: a run starts soon. */
-  typed(): void {
-    this.#cursorKnown = true;
+  onTyped(): void {
+    this.#isCursorPlaced = true;
     // Results for the old text are useless from now on.
-    this.#outdate();
-    clearTimeout(this.#sending);
-    this.#sending = setTimeout(() => this.send(), SEND_AFTER_MS);
+    this.#markOutdated();
+    clearTimeout(this.#sendTimer);
+    this.#sendTimer = setTimeout(() => this.send(), SEND_AFTER_MS);
   }
 
   /** Runs pending edits now. */
   flush(): void {
-    if (this.#sending !== undefined) this.send();
+    if (this.#sendTimer !== undefined) this.send();
   }
 
   /** Runs the current text now. */
@@ -154,90 +154,90 @@ export class Runs {
     const framing = this.#framing;
     this.#framing = 'keep';
     this.textChanged(framing);
-    this.#begin();
-    this.#events.sent();
+    this.#startRun();
+    this.#events.onSent();
   }
 
   /** The text has changed: a run starts at the end of this turn. */
   textChanged(framing: 'fit' | 'keep'): void {
-    clearTimeout(this.#sending);
-    this.#sending = undefined;
-    this.wanted(framing);
-    this.#events.textChanged();
+    clearTimeout(this.#sendTimer);
+    this.#sendTimer = undefined;
+    this.requestRun(framing);
+    this.#events.onTextChanged();
   }
 
   setupChanged(): void {
     this.#setupSent = false;
-    this.wanted('keep');
+    this.requestRun('keep');
   }
 
-  wanted(framing: 'fit' | 'keep'): void {
+  requestRun(framing: 'fit' | 'keep'): void {
     this.#changes = { framing: this.#changes?.framing === 'fit' ? 'fit' : framing };
-    this.#outdate();
+    this.#markOutdated();
     // Needed even if changes are pending: there may have been no worker for them.
-    queueMicrotask(() => this.#begin());
-    this.#events.wanted();
+    queueMicrotask(() => this.#startRun());
+    this.#events.onRunRequested();
   }
 
-  cameAtOnce(): void {
-    this.#came = 'at-once';
+  markAsInserted(): void {
+    this.#changeSource = 'inserted';
   }
 
   /** The next text is another program: no assumption about the last one applies to it. */
-  anotherProgram(): void {
-    this.#came = 'at-once';
+  onProgramReplaced(): void {
+    this.#changeSource = 'inserted';
     this.#framing = 'fit';
   }
 
   /** The text in which the cursor was placed has been replaced. */
-  forgetCursor(): void {
-    this.#cursorKnown = false;
+  resetCursor(): void {
+    this.#isCursorPlaced = false;
   }
 
   cursorMoved(): void {
-    this.#cursorKnown = true;
-    if (this.#sending === undefined) this.client?.send({ kind: 'cursor', offset: this.#editor.cursor });
+    this.#isCursorPlaced = true;
+    if (this.#sendTimer === undefined) this.client?.send({ kind: 'cursor', offset: this.#editor.cursor });
   }
 
   /** The user has selected a position of the text by other means than the cursor. */
-  cursorAt(offset: number): void {
-    this.#cursorKnown = true;
+  setCursor(offset: number): void {
+    this.#isCursorPlaced = true;
     this.client?.send({ kind: 'cursor', offset });
   }
 
   /** Results of the last run must not be combined with the current text or setup. */
-  #outdate(): void {
-    this.#client?.outdate();
-    this.#events.outdated();
+  #markOutdated(): void {
+    this.#client?.markOutdated();
+    this.#events.onInputChanged();
   }
 
-  #begin(): void {
+  #startRun(): void {
     const [changes, client, editor] = [this.#changes, this.#client, this.#editor];
     if (changes === undefined || client === undefined) return;
     this.#changes = undefined;
-    this.#waits = false;
+    this.#waitsForChange = false;
     const setup = this.#setupSent ? undefined : this.#events.setup();
     this.#setupSent = true;
     const text = editor.takeUnsent();
-    const came = this.#came;
-    this.#came = 'typed';
-    client.begin({
+    const changeSource = this.#changeSource;
+    this.#changeSource = 'typed';
+    client.startRun({
       setup,
       text,
       tried: editor.tried,
-      came,
+      changeSource,
       framing: changes.framing,
-      cursor: this.#cursorKnown ? editor.cursor : undefined,
+      cursor: this.#isCursorPlaced ? editor.cursor : undefined,
     });
-    this.#events.begun();
+    this.#events.onRunStarted();
     if (text !== undefined) void this.askTokens();
   }
 
   async askTokens(): Promise<void> {
     const [client, editor] = [this.#client, this.#editor];
     // While an edit is pending, the worker would return tokens of an older text.
-    if (client === undefined || this.#sending !== undefined) return;
-    const lines = editor.linesInSight;
+    if (client === undefined || this.#sendTimer !== undefined) return;
+    const lines = editor.visibleLines;
     if (lines === undefined) return;
     const { revision } = editor;
     const tokens = await client.ask('tokens', lines);

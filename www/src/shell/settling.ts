@@ -5,15 +5,15 @@
 // without further events must pass. Must not know: the cause of an event.
 
 export class Settling {
-  readonly #settled: (run: number) => void;
+  readonly #onSettled: (run: number) => void;
   #promise!: Promise<number>;
   #resolve!: (run: number) => void;
   #isSettled = true;
   /** Incremented whenever something is in progress. */
   #turn = 0;
 
-  constructor(settled: (run: number) => void) {
-    this.#settled = settled;
+  constructor(onSettled: (run: number) => void) {
+    this.#onSettled = onSettled;
     this.unsettle();
   }
 
@@ -31,15 +31,15 @@ export class Settling {
 
   settle(run: number): void {
     const turn = ++this.#turn;
-    const unless = (next: () => void) => (): void => {
+    const ifCurrent = (next: () => void) => (): void => {
       if (turn === this.#turn) next();
     };
-    const end = unless(() => {
+    const end = ifCurrent(() => {
       this.#isSettled = true;
       this.#resolve(run);
-      this.#settled(run);
+      this.#onSettled(run);
     });
     // `ResizeObserver` callbacks run after the callbacks of a frame, so a second frame is needed to notice them.
-    requestAnimationFrame(unless(() => requestAnimationFrame(unless(() => setTimeout(end)))));
+    requestAnimationFrame(ifCurrent(() => requestAnimationFrame(ifCurrent(() => setTimeout(end)))));
   }
 }

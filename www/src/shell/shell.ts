@@ -5,9 +5,9 @@
 // is loaded later. Must not know: G-code. The interpreter, behind core-client.ts, handles the meaning of a program.
 
 import type { Language } from '../dom/language';
-import { isOffline, loaded, NeedsReload } from '../dom/network';
+import { isOffline, importWithRetry, ReloadRequiredError } from '../dom/network';
 import { words } from '../dom/words';
-import type { ProgramContext, Span } from '../editor/holder';
+import type { ProgramContext, Span } from '../editor/text-store';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
@@ -20,7 +20,7 @@ import {
   type Region,
   type Services,
   type Shell,
-  type SwitchesSet,
+  type SwitchState,
 } from '../panels/panel';
 import type {
   Answer,
@@ -28,7 +28,7 @@ import type {
   CompletionHelp,
   Diagnostic,
   Help,
-  HelpWanted,
+  HelpRequest,
   QuestionKind,
   Questions,
   Readout,
@@ -37,19 +37,19 @@ import type {
   Summary,
   WordHelp,
 } from '../protocol/protocol';
-import type { Heard } from '../worker/core-client';
-import { linesOf, oneOf, stepOf, FRAMES, SIDES } from './author';
-import { diagnosticsAsGiven, strokeAsGiven } from './as-given';
-import { controlsOf, layout, SHOWN, type Layout, type Offered, type View } from './layout';
+import type { CoreEvent } from '../worker/core-client';
+import { parseLines, oneOf, parseStep, FRAMES, SIDES } from './author';
+import { diagnosticsInFile, strokeInFile } from './file-offsets';
+import { shownControls, createLayout, VIEW_CONTENTS, type Layout, type OptionalService, type View } from './layout';
 import { Missing, type MissingKind } from './missing';
 import type { OpenLink } from './open-link';
 import { Paper } from './paper';
-import { Runs, type OwnLoss } from './runs';
-import { mergedSetup, switchesSet } from './start';
-import { adopt } from './style-sheets';
+import { Runs, type ReportedLoss } from './runs';
+import { mergeSetup, readSwitches } from './merged-setup';
+import { adoptStyles } from './style-sheets';
 
 /** The element, whose attributes set how the program is run. */
-export interface Host {
+interface Host {
   readonly language: Language;
   readonly view: View;
   readonly controls: string | null;
@@ -71,25 +71,25 @@ export interface Host {
 }
 
 /** Events for the page. */
-export interface ShellEvents {
+interface ShellEvents {
   fire<Detail>(type: string, detail: Detail): void;
   /** The user has changed the program or its file. */
-  changed(): void;
+  onChange(): void;
   /** Something that may change the display is in progress. */
-  unsettled(): void;
+  onUnsettled(): void;
   /** Everything of this run is shown. */
-  settled(run: number): void;
+  onSettled(run: number): void;
 }
 
 /** The events that panels loaded later have missed. */
-interface Missed {
-  readonly heard: Map<Heard['kind'], Heard>;
-  switches?: SwitchesSet;
+interface MissedEvents {
+  readonly events: Map<CoreEvent['kind'], CoreEvent>;
+  switches?: SwitchState;
   isLost?: boolean;
 }
 
 /** Every deployed `element.js` has a page beside it. A bundled element has none: its page must set `playground`. */
-const BESIDE = import.meta.url.endsWith('/element.js')
+const DEFAULT_PLAYGROUND = import.meta.url.endsWith('/element.js')
   ? import.meta.url.replace(/element\.js$/, 'index.html')
   : undefined;
 
@@ -112,18 +112,18 @@ export class PlaygroundShell implements Shell {
   readonly #layout: Layout;
   readonly #paper: Paper;
   #openLink: OpenLink | undefined;
-  #openLinkAsked = false;
+  #openLinkRequested = false;
   readonly #panels: Panel[] = [];
   /** Panels that are not displayed and exist only for their services. */
-  readonly #unseen = new Set<Panel>();
+  readonly #hiddenPanels = new Set<Panel>();
   readonly #services: Partial<Services> = {};
   readonly #runs: Runs;
-  readonly #dark = matchMedia('(prefers-color-scheme: dark)');
+  readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
   #language: Language;
   /** Events of the newest run for panels that are loaded later; undefined once all are loaded. */
-  #missed: Missed | undefined = { heard: new Map() };
+  #missed: MissedEvents | undefined = { events: new Map() };
   /** The parts that are still being loaded, and the run that is settled apart from them. */
-  readonly #coming: Set<'panels' | 'editor' | 'program' | 'step' | 'link'>;
+  readonly #pendingParts: Set<'panels' | 'editor' | 'program' | 'step' | 'link'>;
   #settledRun: number | undefined;
   readonly #missing: Missing;
   /** Whether the newest run was reported. */
@@ -131,9 +131,9 @@ export class PlaygroundShell implements Shell {
   /** Whether no run is in progress that would report the current program. */
   #isIdle = false;
   /** Whether the editor is loaded or being loaded. */
-  #editorAsked = false;
+  #editorRequested = false;
   /** Why the setup could not be sent. */
-  #setupUnreadable: string | undefined;
+  #setupError: string | undefined;
 
   constructor(root: ShadowRoot, host: Host, events: ShellEvents) {
     this.root = root;
@@ -141,148 +141,150 @@ export class PlaygroundShell implements Shell {
     this.#events = events;
     this.#language = host.language;
     this.#missing = new Missing(this.#language, {
-      show: (text, remedy) => {
+      show: (text, action) => {
         const { tryAgain, reload } = WORDS[this.#language];
         if (text === undefined) this.service('hideNotice')('missing');
         else
           this.service('notice')(
             text,
             'missing',
-            remedy === 'reload'
+            action === 'reload'
               ? { title: reload, act: () => location.reload() }
-              : { title: tryAgain, act: () => this.#missing.tryAgain() },
+              : { title: tryAgain, act: () => this.#missing.retryAll() },
           );
       },
     });
     this.view = host.view;
     this.readonly = host.readonly;
-    this.#controls = controlsOf(this.view, host.controls);
-    this.#coming = new Set([
+    this.#controls = shownControls(this.view, host.controls);
+    this.#pendingParts = new Set([
       ...(FURTHER[this.view] === undefined ? [] : (['panels'] as const)),
       ...(this.showsProgram ? (['editor'] as const) : []),
       ...(host.playground === '' ? [] : (['link'] as const)),
     ]);
     this.editor = new Program(this.#language, host.readonly ? 'readonly' : 'editable', {
-      changed: () => {
-        this.#coming.delete('step');
-        this.#runs.typed();
+      onTextChanged: () => {
+        this.#pendingParts.delete('step');
+        this.#runs.onTyped();
       },
       context: () => this.#context,
-      neutral: () => this.#neutral,
-      contextChanged: (context) => {
-        this.#runs.anotherProgram();
-        this.#runIn(context);
+      neutral: () => this.#neutralContext,
+      onContextChanged: (context) => {
+        this.#runs.onProgramReplaced();
+        this.#applyContext(context);
       },
-      cursorMoved: () => {
+      onCursorMoved: () => {
         this.#runs.cursorMoved();
-        this.#tell((panel) => panel.cursorMoved?.());
+        this.#notifyPanels((panel) => panel.onCursorMoved?.());
       },
-      triedChanged: () => {
-        this.#runs.wanted('keep');
-        this.#tell((panel) => panel.triedChanged?.());
+      onTrialChanged: () => {
+        this.#runs.requestRun('keep');
+        this.#notifyPanels((panel) => panel.onTrialChanged?.());
       },
       wordAt: (offset) => this.#wordAt(offset),
-      completionAt: (offset, askedFor) => this.#completionAt(offset, askedFor),
-      wanted: () => this.#tell((panel) => panel.programWanted?.()),
-      completionFailed: (reason, again) => this.#failed('completion', 'completionFailed', reason, again),
-      completionLoaded: () => this.#missing.works('completion'),
-      settingChosen: (setting) => this.service('takeSetting')(setting),
-      viewMoved: () => void this.#runs.askTokens(),
-      fileChanged: () => this.#tell((panel) => panel.fileChanged?.(this.editor.file)),
-      pasted: (from, to) => {
-        this.cameAtOnce();
-        this.#tell((panel) => panel.textArrived?.(from, to));
+      completionAt: (offset, isExplicit) => this.#completionAt(offset, isExplicit),
+      onShowProgram: () => this.#notifyPanels((panel) => panel.onShowProgram?.()),
+      onCompletionFailed: (reason, retry) => this.#reportFailure('completion', 'completionFailed', reason, retry),
+      onCompletionLoaded: () => this.#missing.markLoaded('completion'),
+      onSettingChosen: (setting) => this.service('applySetting')(setting),
+      onViewMoved: () => void this.#runs.askTokens(),
+      onFileChanged: () => this.#notifyPanels((panel) => panel.onFileChanged?.(this.editor.file)),
+      onPasted: (from, to) => {
+        this.markAsInserted();
+        this.#notifyPanels((panel) => panel.onTextInserted?.(from, to));
       },
     });
     this.#runs = new Runs(this.editor, {
       setup: () => this.#mergedSetup(),
-      heard: (event) => {
-        const said = this.readonly && event.kind === 'report' ? withoutFixes(event) : event;
-        this.#missed?.heard.set(event.kind, said);
-        this.#tell((panel) => panel.heard?.(said));
-        if (said.kind === 'path' || said.kind === 'report') this.#missing.works('interpreter');
-        if (said.kind === 'report') this.#reported(said.report);
-        else if (event.kind === 'part-failed') this.#partFailed(event);
-        else if (event.kind === 'parts-loaded') this.#missing.works('parts');
+      onEvent: (event) => {
+        const shownEvent = this.readonly && event.kind === 'report' ? withoutFixes(event) : event;
+        this.#missed?.events.set(event.kind, shownEvent);
+        this.#notifyPanels((panel) => panel.onEvent?.(shownEvent));
+        if (shownEvent.kind === 'path' || shownEvent.kind === 'report') this.#missing.markLoaded('interpreter');
+        if (shownEvent.kind === 'report') this.#onReport(shownEvent.report);
+        else if (event.kind === 'part-failed') this.#onPartFailed(event);
+        else if (event.kind === 'parts-loaded') this.#missing.markLoaded('parts');
         // Wait a moment for the first picture, which a short program has soon. In a hidden tab it never comes.
-        if (event.kind === 'path' || event.kind === 'report') setTimeout(() => this.#editIfShown(), EDITOR_AFTER_MS);
-        else if (event.kind === 'progress' || event.kind === 'part-failed') this.#editIfShown();
+        if (event.kind === 'path' || event.kind === 'report')
+          setTimeout(() => this.#loadEditorIfShown(), EDITOR_AFTER_MS);
+        else if (event.kind === 'progress' || event.kind === 'part-failed') this.#loadEditorIfShown();
       },
-      pictures: (pictures) => {
-        this.#tell((panel) => panel.showPictures?.(pictures));
+      onPictures: (pictures) => {
+        this.#notifyPanels((panel) => panel.onPictures?.(pictures));
         this.#layout.fallback.hidden = true;
-        this.#editIfShown();
+        this.#loadEditorIfShown();
       },
-      outdated: () => {
+      onInputChanged: () => {
         this.#isReported = false;
-        this.#missed?.heard.clear();
-        this.#tell((panel) => panel.outdated?.());
-        if (this.#isIdle) this.#unreported();
+        this.#missed?.events.clear();
+        this.#notifyPanels((panel) => panel.onInputChanged?.());
+        if (this.#isIdle) this.#onRunFailed();
       },
-      textChanged: () => this.service('hideNotice')('program'),
-      wanted: () => this.#missing.changed(),
-      begun: () => {
-        this.#missing.tried('interpreter');
+      onTextChanged: () => this.service('hideNotice')('program'),
+      onRunRequested: () => this.#missing.onEdit(),
+      onRunStarted: () => {
+        this.#missing.markRetrying('interpreter');
         this.#isIdle = false;
         if (this.#missed !== undefined) this.#missed.isLost = false;
-        this.#tell((panel) => panel.begun?.());
+        this.#notifyPanels((panel) => panel.onRunStarted?.());
       },
-      sent: () => events.changed(),
-      ready: () => {
+      onSent: () => events.onChange(),
+      onReady: () => {
         // In views with a picture, load the editor later, so that it does not compete for the network.
-        if (!SHOWN[this.view].picture) this.#editIfShown();
+        if (!VIEW_CONTENTS[this.view].picture) this.#loadEditorIfShown();
       },
-      connected: (client) => {
-        this.#missing.works('parts');
+      onConnected: (client) => {
+        this.#missing.markLoaded('parts');
         client.send({ kind: 'language', tag: this.#language });
         // A new worker has the defaults, so send only attributes that are set.
         const { highlight, fit, turret } = host;
-        if (highlight !== null || fit !== null || turret !== null) this.#lookAsSaid((command) => client.send(command));
-        this.#tell((panel) => panel.connected?.((command) => client.send(command)));
+        if (highlight !== null || fit !== null || turret !== null)
+          this.#sendAuthorAttributes((command) => client.send(command));
+        this.#notifyPanels((panel) => panel.onWorkerConnected?.((command) => client.send(command)));
       },
-      lost: (loss) => this.#lost(loss),
-      unsettled: () => {
+      onLost: (loss) => this.#onWorkerLost(loss),
+      onUnsettled: () => {
         this.#settledRun = undefined;
-        events.unsettled();
+        events.onUnsettled();
       },
-      settled: (run) => {
-        this.editor.showNow();
+      onSettled: (run) => {
+        this.editor.flushDecorations();
         this.#settledRun = run;
         this.#settle();
-        void this.#offerToOpen();
+        void this.#loadOpenLink();
       },
     });
-    const made = (this.#layout = layout(this.view, this.editor.element));
-    this.frame = made.frame;
-    this.#regions = made.regions;
+    const layout = (this.#layout = createLayout(this.view, this.editor.element));
+    this.frame = layout.frame;
+    this.#regions = layout.regions;
     // Before the editor is loaded, too.
-    this.editor.element.addEventListener('keydown', () => this.#missing.changed());
-    this.#add(SHOWN[this.view].picture ? PICTURES : ALWAYS);
+    this.editor.element.addEventListener('keydown', () => this.#missing.onEdit());
+    this.#add(VIEW_CONTENTS[this.view].picture ? PICTURES : ALWAYS);
     this.authorChanged();
     this.#paper = new Paper((from, to) => this.editor.textBetween(from, to));
-    made.whole.append(this.#paper.element);
-    root.append(made.whole);
+    layout.container.append(this.#paper.element);
+    root.append(layout.container);
     const further = FURTHER[this.view];
     this.complete = Promise.resolve();
-    if (further !== undefined) this.#completeWith(further);
+    if (further !== undefined) this.#loadFurther(further);
   }
 
   // ---- for the element ----------------------------------------------------------------------------
 
   connect(): void {
-    this.#dark.addEventListener('change', this.coloursChanged);
+    this.#darkScheme.addEventListener('change', this.coloursChanged);
     this.#paper.connect();
     this.#runs.connect();
-    this.#runs.wanted('keep');
-    this.#missing.tryAgain();
+    this.#runs.requestRun('keep');
+    this.#missing.retryAll();
     this.stepChanged();
   }
 
   disconnect(): void {
-    this.#dark.removeEventListener('change', this.coloursChanged);
+    this.#darkScheme.removeEventListener('change', this.coloursChanged);
     this.#paper.disconnect();
-    this.#missing.leave();
-    this.#tell((panel) => panel.left?.());
+    this.#missing.cancelRetries();
+    this.#notifyPanels((panel) => panel.onDisconnected?.());
     this.#runs.end();
   }
 
@@ -299,50 +301,50 @@ export class PlaygroundShell implements Shell {
 
   /** Applies the author's attributes for lines, picture and caption. */
   authorChanged(): void {
-    this.editor.marked = linesOf(this.#host.highlight);
-    this.editor.shownLines = linesOf(this.#host.lines);
-    this.#lookAsSaid((command) => this.send(command));
+    this.editor.highlightedLines = parseLines(this.#host.highlight);
+    this.editor.shownLines = parseLines(this.#host.lines);
+    this.#sendAuthorAttributes((command) => this.send(command));
     this.#openLink?.changed();
     this.#showCaption();
   }
 
-  #lookAsSaid(send: (command: Command) => void): void {
+  #sendAuthorAttributes(send: (command: Command) => void): void {
     const { highlight, fit, turret } = this.#host;
     send({
       kind: 'mark',
-      lines: linesOf(highlight).map(({ first, last }) => ({ firstLine: first - 1, endLine: last })),
+      lines: parseLines(highlight).map(({ first, last }) => ({ firstLine: first - 1, endLine: last })),
     });
     send({ kind: 'frame', frame: oneOf(FRAMES, fit) });
     send({ kind: 'turret', side: oneOf(SIDES, turret) });
   }
 
   #showCaption(): void {
-    const { whole, caption } = this.#layout;
+    const { container, caption } = this.#layout;
     const text = this.#host.caption ?? '';
     caption.hidden = text === '';
     caption.textContent = text;
-    whole.setAttribute('aria-label', text === '' ? WORDS[this.#language].playground : text);
+    container.setAttribute('aria-label', text === '' ? WORDS[this.#language].playground : text);
   }
 
   /** The attribute `step` has changed. */
   stepChanged(): void {
-    if (stepOf(this.#host.step) === undefined) {
-      if (this.#coming.has('step')) this.#arrived('step');
+    if (parseStep(this.#host.step) === undefined) {
+      if (this.#pendingParts.has('step')) this.#partFinished('step');
       return;
     }
-    this.#coming.add('step');
-    this.#events.unsettled();
-    if (this.#settledRun !== undefined) void this.#takeStep();
+    this.#pendingParts.add('step');
+    this.#events.onUnsettled();
+    if (this.#settledRun !== undefined) void this.#applyStep();
   }
 
   /** Moves the tool to the `step`, once the run is complete and its panels are loaded. */
-  async #takeStep(): Promise<void> {
-    const step = stepOf(this.#host.step);
+  async #applyStep(): Promise<void> {
+    const step = parseStep(this.#host.step);
     const run = this.#settledRun;
-    if (step === undefined || !this.#coming.has('step') || run === undefined) return;
+    if (step === undefined || !this.#pendingParts.has('step') || run === undefined) return;
     await this.complete.catch(() => undefined);
     // The user may have changed the program meanwhile.
-    if (run !== this.#settledRun || !this.#coming.delete('step')) return;
+    if (run !== this.#settledRun || !this.#pendingParts.delete('step')) return;
     const { goTo, goToBlock } = this.#services;
     if (step.kind === 'motion') await (goTo?.(step.motion) ?? this.ask('go-to', { motion: step.motion }));
     else {
@@ -352,7 +354,7 @@ export class PlaygroundShell implements Shell {
     this.#settle();
   }
 
-  readonly coloursChanged = (): void => this.#tell((panel) => panel.coloursChanged?.());
+  readonly coloursChanged = (): void => this.#notifyPanels((panel) => panel.onColoursChanged?.());
 
   setupChanged(): void {
     this.#runs.setupChanged();
@@ -364,47 +366,47 @@ export class PlaygroundShell implements Shell {
   }
 
   /** The program of the element was loaded from its address, or has changed in the page. */
-  programCame(text: string, file: ProgramFile | undefined): void {
+  programLoaded(text: string, file: ProgramFile | undefined): void {
     this.editor.setText(programText(text), file, this.editor.length > 0 ? 'undoable' : 'final');
     this.service('hideNotice')('source');
-    this.#runs.forgetCursor();
+    this.#runs.resetCursor();
     this.#runs.textChanged('fit');
     this.stepChanged();
-    this.#arrived('program');
+    this.#partFinished('program');
   }
 
   /** The program is being loaded: the element cannot settle before. */
-  programComing(address: string, how: 'begun' | 'slow'): void {
-    if (how === 'slow') return this.service('notice')(WORDS[this.#language].programComing(address), 'source');
-    this.#coming.add('program');
-    this.#events.unsettled();
+  programLoading(address: string, how: 'started' | 'slow'): void {
+    if (how === 'slow') return this.service('notice')(WORDS[this.#language].programLoading(address), 'source');
+    this.#pendingParts.add('program');
+    this.#events.onUnsettled();
   }
 
-  programFailed(address: string, reason: string, again: () => void): void {
+  programFailed(address: string, reason: string, retry: () => void): void {
     const texts = WORDS[this.#language];
-    this.service('notice')(texts.programFailed(address, reason), 'source', { title: texts.tryAgain, act: again });
-    this.#arrived('program');
+    this.service('notice')(texts.programFailed(address, reason), 'source', { title: texts.tryAgain, act: retry });
+    this.#partFinished('program');
   }
 
   /** Sets another text without an event for the page; the attributes stay. */
-  put(program: ProgramText, file: ProgramFile | undefined): void {
+  setProgram(program: ProgramText, file: ProgramFile | undefined): void {
     const { editor } = this;
     editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', this.#context);
-    this.#tell((panel) => panel.programReplaced?.());
+    this.#notifyPanels((panel) => panel.onProgramReplaced?.());
     // A notice about a file does not apply to this program.
     this.service('hideNotice')('file');
-    this.#runs.forgetCursor();
+    this.#runs.resetCursor();
     this.#runs.textChanged('fit');
   }
 
-  pressed(event: KeyboardEvent): void {
-    if (this.#panels.some(({ takesKeys }) => takesKeys === true)) return;
+  handleKey(event: KeyboardEvent): void {
+    if (this.#panels.some(({ capturesKeys }) => capturesKeys === true)) return;
     const target = event.composedPath()[0];
     const typing =
       target instanceof HTMLElement &&
       (target.isContentEditable || target.matches('input:not([type=range]), textarea'));
     const key = { event, inside: typing ? 'text' : 'elsewhere' } as const;
-    if (!this.#panels.some((panel) => !this.#unseen.has(panel) && panel.pressed?.(key) === 'own')) return;
+    if (!this.#panels.some((panel) => !this.#hiddenPanels.has(panel) && panel.onKey?.(key) === 'handled')) return;
     event.preventDefault();
     event.stopPropagation();
   }
@@ -420,11 +422,11 @@ export class PlaygroundShell implements Shell {
   }
 
   get showsProgram(): boolean {
-    return SHOWN[this.view].program;
+    return VIEW_CONTENTS[this.view].program;
   }
 
-  offers(name: Offered): boolean {
-    return SHOWN[this.view].offers.includes(name);
+  offers(name: OptionalService): boolean {
+    return VIEW_CONTENTS[this.view].offers.includes(name);
   }
 
   region(region: Region): HTMLElement {
@@ -441,7 +443,7 @@ export class PlaygroundShell implements Shell {
     this.#runs.client?.send(command);
   }
 
-  async ask<K extends QuestionKind>(about: K, ask: Questions[K]['ask']): Promise<Answer<K> | undefined> {
+  async ask<K extends QuestionKind>(about: K, ask: Questions[K]['args']): Promise<Answer<K> | undefined> {
     return this.#runs.client?.ask(about, ask);
   }
 
@@ -453,52 +455,52 @@ export class PlaygroundShell implements Shell {
     this.#runs.flush();
   }
 
-  edited(): void {
+  commitEdit(): void {
     this.#runs.send();
   }
 
   rewrite(text: string): void {
     this.editor.rewrite(text);
-    this.#runs.forgetCursor();
+    this.#runs.resetCursor();
     this.#runs.send();
   }
 
-  take(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void {
+  replaceProgram(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void {
     if (as === 'another') {
-      const context = this.#neutral;
+      const context = this.#neutralContext;
       this.editor.setText(program, file, 'undoable', context);
-      this.#runIn(context);
+      this.#applyContext(context);
     } else this.editor.setText(program, file, 'undoable');
-    this.#runs.forgetCursor();
+    this.#runs.resetCursor();
     this.#runs.textChanged('fit');
-    this.changed();
-    if (as === 'another') this.#tell((panel) => panel.textArrived?.(0, this.editor.length));
+    this.notifyFileChanged();
+    if (as === 'another') this.#notifyPanels((panel) => panel.onTextInserted?.(0, this.editor.length));
   }
 
-  changed(): void {
-    this.#events.changed();
+  notifyFileChanged(): void {
+    this.#events.onChange();
   }
 
-  cameAtOnce(): void {
-    this.#runs.cameAtOnce();
+  markAsInserted(): void {
+    this.#runs.markAsInserted();
   }
 
   goTo(span: Span): void {
     this.editor.select(span);
     this.editor.focus();
-    this.#cursorPutAt(span.from);
+    this.#onCursorSet(span.from);
   }
 
-  choose(stroke: Stroke, focus: 'focus' | 'keep-focus'): void {
+  chooseStroke(stroke: Stroke, focus: 'focus' | 'keep-focus'): void {
     this.editor.select(stroke);
     if (focus === 'focus') this.editor.focus();
-    this.#cursorPutAt(stroke.from);
-    this.#events.fire('gcode-select', { stroke: strokeAsGiven(stroke, this.editor) });
+    this.#onCursorSet(stroke.from);
+    this.#events.fire('gcode-select', { stroke: strokeInFile(stroke, this.editor) });
   }
 
   chooseProblem(problem: Diagnostic): void {
-    this.editor.show(problem);
-    this.#cursorPutAt(problem.from);
+    this.editor.selectProblem(problem);
+    this.#onCursorSet(problem.from);
   }
 
   async #wordAt(offset: number): Promise<WordHelp | undefined> {
@@ -506,30 +508,30 @@ export class PlaygroundShell implements Shell {
     return (await this.#helpAt({ by: 'pointer', about: 'word', offset }, 100))?.word;
   }
 
-  async #completionAt(offset: number, askedFor: boolean): Promise<CompletionHelp | undefined> {
+  async #completionAt(offset: number, isExplicit: boolean): Promise<CompletionHelp | undefined> {
     this.flush();
-    return (await this.#helpAt({ by: 'completion', about: 'completion', offset, askedFor }, 20))?.completion;
+    return (await this.#helpAt({ by: 'completion', about: 'completion', offset, isExplicit }, 20))?.completion;
   }
 
   /** Asks for help; asks again if a new run discards the answer while the text is unchanged. */
-  async #helpAt(ask: HelpWanted, pause: number): Promise<Help | undefined> {
+  async #helpAt(ask: HelpRequest, delayMs: number): Promise<Help | undefined> {
     const { revision } = this.editor;
     for (let tries = 0; tries < 10 && this.editor.revision === revision; tries++) {
       const help = await this.ask('help', ask);
       if (help !== undefined) return help;
-      await new Promise((done) => setTimeout(done, pause));
+      await new Promise((done) => setTimeout(done, delayMs));
     }
     return undefined;
   }
 
   /** The page has moved the cursor on behalf of the user. */
-  #cursorPutAt(offset: number): void {
-    this.#runs.cursorAt(offset);
-    this.#tell((panel) => panel.cursorMoved?.());
+  #onCursorSet(offset: number): void {
+    this.#runs.setCursor(offset);
+    this.#notifyPanels((panel) => panel.onCursorMoved?.());
   }
 
-  toolMoved(place: Readout | undefined): void {
-    this.#tell((panel) => panel.toolMoved?.(place));
+  notifyToolMoved(place: Readout | undefined): void {
+    this.#notifyPanels((panel) => panel.onToolMoved?.(place));
   }
 
   changeSetup(setup: string | null): void {
@@ -541,7 +543,7 @@ export class PlaygroundShell implements Shell {
     this.#events.fire('gcode-setup', { setup });
   }
 
-  turn({ blockSkip, program }: { readonly blockSkip?: string; readonly program?: string }): void {
+  setSwitches({ blockSkip, program }: { readonly blockSkip?: string; readonly program?: string }): void {
     const host = this.#host;
     if (blockSkip !== undefined) host.blockSkip = blockSkip;
     if (program !== undefined) host.program = program;
@@ -552,18 +554,18 @@ export class PlaygroundShell implements Shell {
 
   /** Adds panels before the existing ones. */
   #add(kinds: readonly PanelKind[]): readonly Panel[] {
-    adopt(
+    adoptStyles(
       this.root,
       kinds.map(({ styles }) => styles ?? ''),
     );
     const added = kinds.map(({ make }) => make(this));
     for (const [at, kind] of kinds.entries()) {
       const panel = added[at];
-      if (panel !== undefined && !this.#shows(kind)) this.#unseen.add(panel);
+      if (panel !== undefined && !this.#isShown(kind)) this.#hiddenPanels.add(panel);
     }
     for (const region of REGIONS) {
-      const seen = added.filter((panel) => region === 'dialogs' || !this.#unseen.has(panel));
-      this.#regions[region].prepend(...seen.flatMap(({ places }) => places[region] ?? []));
+      const visible = added.filter((panel) => region === 'dialogs' || !this.#hiddenPanels.has(panel));
+      this.#regions[region].prepend(...visible.flatMap(({ elements }) => elements[region] ?? []));
     }
     for (const panel of added) Object.assign(this.#services, panel.services);
     this.#panels.unshift(...added);
@@ -571,11 +573,11 @@ export class PlaygroundShell implements Shell {
     return added;
   }
 
-  #shows({ control, edits }: PanelKind): boolean {
+  #isShown({ control, edits }: PanelKind): boolean {
     return (control === undefined || this.#controls.includes(control)) && !(edits === true && this.readonly);
   }
 
-  #completeWith(further: () => Promise<Further>): void {
+  #loadFurther(further: () => Promise<Further>): void {
     this.complete = this.#addFurther(further);
     // The panels have a better print layout. Callers of `complete` handle a rejection, and the user sees a notice.
     this.complete.then(() => this.#paper.end()).catch(() => undefined);
@@ -584,30 +586,30 @@ export class PlaygroundShell implements Shell {
   /** Loads the panels that the picture does not need, and replays the missed events to them. */
   async #addFurther(load: () => Promise<Further>): Promise<void> {
     try {
-      const { FURTHER, SHARED_STYLES } = await loaded(load);
-      this.#missing.works('panels');
-      adopt(this.root, SHARED_STYLES);
+      const { FURTHER, SHARED_STYLES } = await importWithRetry(load);
+      this.#missing.markLoaded('panels');
+      adoptStyles(this.root, SHARED_STYLES);
       const missed = this.#missed;
       this.#missed = undefined;
       for (const panel of this.#add(FURTHER)) {
-        panel.fileChanged?.(this.editor.file);
-        if (missed?.switches !== undefined) panel.switched?.(missed.switches);
-        if (missed?.isLost === true) panel.lost?.();
-        for (const event of missed?.heard.values() ?? []) panel.heard?.(event);
-        if (this.#isIdle && !this.#isReported) panel.unreported?.();
-        const report = missed?.heard.get('report');
+        panel.onFileChanged?.(this.editor.file);
+        if (missed?.switches !== undefined) panel.onSwitchesChanged?.(missed.switches);
+        if (missed?.isLost === true) panel.onWorkerLost?.();
+        for (const event of missed?.events.values() ?? []) panel.onEvent?.(event);
+        if (this.#isIdle && !this.#isReported) panel.onRunFailed?.();
+        const report = missed?.events.get('report');
         if (report?.kind === 'report' && 'available' in panel) panel.available = hasMotions(report.report);
       }
     } catch (error) {
-      this.#failed('panels', 'pageFailed', error, () => this.#completeWith(load));
+      this.#reportFailure('panels', 'pageFailed', error, () => this.#loadFurther(load));
       throw error;
     } finally {
-      this.#arrived('panels');
+      this.#partFinished('panels');
     }
   }
 
-  #tell(tell: (panel: Panel) => void): void {
-    for (const panel of this.#panels) tell(panel);
+  #notifyPanels(notify: (panel: Panel) => void): void {
+    for (const panel of this.#panels) notify(panel);
   }
 
   get #context(): ProgramContext {
@@ -616,131 +618,131 @@ export class PlaygroundShell implements Shell {
   }
 
   /** The context of a program of which only the text is known: it runs on the user's own machine. */
-  get #neutral(): ProgramContext {
-    return { ...NEUTRAL, setup: this.#services.ownSetup?.() ?? null };
+  get #neutralContext(): ProgramContext {
+    return { ...EMPTY_CONTEXT, setup: this.#services.defaultSetup?.() ?? null };
   }
 
-  #runIn(context: ProgramContext): void {
+  #applyContext(context: ProgramContext): void {
     const before = this.#context;
     // Another program can have the same context: then only the notifications below are needed.
     if (CONTEXT_KEYS.some((key) => context[key] !== before[key])) Object.assign(this.#host, context);
-    this.#tell((panel) => panel.programReplaced?.());
+    this.#notifyPanels((panel) => panel.onProgramReplaced?.());
     this.#events.fire('gcode-context', context);
   }
 
   /** The setup merged with the other attributes; undefined if it is invalid. */
   #mergedSetup(): string | undefined {
     const { control, setup, blockSkip, program } = this.#host;
-    const merged = mergedSetup(setup, { control, blockSkip, program });
-    const switches = switchesSet(merged);
+    const merged = mergeSetup(setup, { control, blockSkip, program });
+    const switches = readSwitches(merged);
     if (this.#missed !== undefined) this.#missed.switches = switches;
-    this.#tell((panel) => panel.switched?.(switches));
-    this.#setupUnreadable = merged.kind === 'unreadable' ? merged.reason : undefined;
+    this.#notifyPanels((panel) => panel.onSwitchesChanged?.(switches));
+    this.#setupError = merged.kind === 'unreadable' ? merged.reason : undefined;
     return merged.kind === 'setup' ? merged.json : undefined;
   }
 
-  #reported(report: Report): void {
+  #onReport(report: Report): void {
     const { summary, diagnostics, setupRejected } = report;
     this.#isReported = true;
-    const rejected = this.#setupUnreadable ?? setupRejected;
+    const rejected = this.#setupError ?? setupRejected;
     if (rejected === undefined) this.service('hideNotice')('setup');
     else this.service('notice')(WORDS[this.#language].setupRejected(rejected), 'setup');
-    this.#available(hasMotions(report));
+    this.#setAvailable(hasMotions(report));
     this.editor.diagnostics = diagnostics;
     this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', {
       summary,
-      diagnostics: diagnosticsAsGiven(diagnostics, this.editor),
+      diagnostics: diagnosticsInFile(diagnostics, this.editor),
     });
   }
 
   /** A part is loaded, or has failed. */
-  #arrived(part: 'panels' | 'editor' | 'program' | 'step' | 'link'): void {
-    this.#coming.delete(part);
+  #partFinished(part: 'panels' | 'editor' | 'program' | 'step' | 'link'): void {
+    this.#pendingParts.delete(part);
     this.#settle();
   }
 
   #settle(): void {
     if (this.#settledRun === undefined) return;
-    if (this.#coming.size === 0) this.#events.settled(this.#settledRun);
-    else if (this.#coming.has('step') && this.#coming.size === 1) void this.#takeStep();
+    if (this.#pendingParts.size === 0) this.#events.onSettled(this.#settledRun);
+    else if (this.#pendingParts.has('step') && this.#pendingParts.size === 1) void this.#applyStep();
   }
 
-  #editIfShown(): void {
-    if (!this.showsProgram || this.#editorAsked) return;
-    this.#editorAsked = true;
-    void this.#edit();
+  #loadEditorIfShown(): void {
+    if (!this.showsProgram || this.#editorRequested) return;
+    this.#editorRequested = true;
+    void this.#loadEditor();
   }
 
   /** Replaces the plain text with the editor. */
-  async #edit(): Promise<void> {
+  async #loadEditor(): Promise<void> {
     try {
-      await this.editor.edit(this.root);
-      this.#missing.works('editor');
+      await this.editor.loadEditor(this.root);
+      this.#missing.markLoaded('editor');
     } catch (error) {
-      this.#failed('editor', 'editorFailed', error, () => void this.#edit());
+      this.#reportFailure('editor', 'editorFailed', error, () => void this.#loadEditor());
     }
-    this.#arrived('editor');
+    this.#partFinished('editor');
   }
 
   /** Loads the link to the playground after the picture, except on the playground's own page. */
-  async #offerToOpen(): Promise<void> {
-    if (this.#openLinkAsked || !this.#coming.has('link')) return;
-    this.#openLinkAsked = true;
+  async #loadOpenLink(): Promise<void> {
+    if (this.#openLinkRequested || !this.#pendingParts.has('link')) return;
+    this.#openLinkRequested = true;
     try {
       const { OpenLink } = await import('./open-link');
-      this.#openLink = new OpenLink(this.#host, BESIDE);
+      this.#openLink = new OpenLink(this.#host, DEFAULT_PLAYGROUND);
       this.frame.append(this.#openLink.element);
     } catch {
       // Ignored: the picture works without the link.
     }
-    this.#arrived('link');
+    this.#partFinished('link');
   }
 
-  #partFailed({ reason, neededFor }: Extract<Heard, { readonly kind: 'part-failed' }>): void {
-    this.#failed('parts', 'partFailed', reason, () => this.send({ kind: 'load-parts' }));
-    if (neededFor === 'the-report') this.#unreported();
+  #onPartFailed({ reason, neededFor }: Extract<CoreEvent, { readonly kind: 'part-failed' }>): void {
+    this.#reportFailure('parts', 'partFailed', reason, () => this.send({ kind: 'load-parts' }));
+    if (neededFor === 'the-report') this.#onRunFailed();
   }
 
-  /** Reports a part that could not be loaded; `again` retries. */
-  #failed(kind: MissingKind, say: FailureText, error: unknown, again: () => void): void {
-    const needsReload = error instanceof NeedsReload;
+  /** Reports a part that could not be loaded; `retry` retries. */
+  #reportFailure(kind: MissingKind, textKey: FailureText, error: unknown, retry: () => void): void {
+    const needsReload = error instanceof ReloadRequiredError;
     const isWithoutNetwork = !needsReload && isOffline();
     const reason = (texts: (typeof WORDS)['en']): string =>
       needsReload ? texts.needsReload : isWithoutNetwork ? texts.noNetwork : describe(error);
-    this.#missing.failed(
+    this.#missing.markFailed(
       kind,
-      (language) => WORDS[language][say](reason(WORDS[language])),
-      needsReload ? 'reload' : again,
+      (language) => WORDS[language][textKey](reason(WORDS[language])),
+      needsReload ? 'reload' : retry,
     );
   }
 
-  #unreported(): void {
+  #onRunFailed(): void {
     this.#isIdle = true;
-    this.#available(false);
+    this.#setAvailable(false);
     this.editor.diagnostics = [];
-    this.#tell((panel) => panel.unreported?.());
+    this.#notifyPanels((panel) => panel.onRunFailed?.());
   }
 
-  #available(available: boolean): void {
+  #setAvailable(available: boolean): void {
     for (const panel of this.#panels) if ('available' in panel) panel.available = available;
   }
 
-  #lost(loss: OwnLoss): void {
+  #onWorkerLost(loss: ReportedLoss): void {
     console.error('gcode-playground: the interpreter was lost', loss);
-    this.#available(false);
+    this.#setAvailable(false);
     if (this.#missed !== undefined) this.#missed.isLost = true;
-    this.#tell((panel) => panel.lost?.());
+    this.#notifyPanels((panel) => panel.onWorkerLost?.());
     this.#isIdle = true;
-    if (!this.#isReported) this.#unreported();
-    const again = (): void => this.#runs.again();
-    if (loss.kind === 'load-failed') this.#failed('interpreter', 'loadFailed', loss.reason, again);
+    if (!this.#isReported) this.#onRunFailed();
+    const retry = (): void => this.#runs.restart();
+    if (loss.kind === 'load-failed') this.#reportFailure('interpreter', 'loadFailed', loss.reason, retry);
     else
-      this.#missing.failed(
+      this.#missing.markFailed(
         'interpreter',
         (language) => (loss.kind === 'silent' ? WORDS[language].stopped : WORDS[language].crashed),
-        again,
+        retry,
       );
-    this.#editIfShown();
+    this.#loadEditorIfShown();
   }
 }
 
@@ -758,14 +760,14 @@ const FURTHER: Readonly<Record<View, (() => Promise<Further>) | undefined>> = {
 };
 
 /** Removes the fixes, which are useless if the program is read-only. */
-function withoutFixes(event: Extract<Heard, { readonly kind: 'report' }>): Heard {
+function withoutFixes(event: Extract<CoreEvent, { readonly kind: 'report' }>): CoreEvent {
   const diagnostics = event.report.diagnostics.map((diagnostic) => ({ ...diagnostic, fixes: [] }));
   return { ...event, report: { ...event.report, diagnostics } };
 }
 
 /** The context of a program of which only the text is known. */
-const NEUTRAL: ProgramContext = { control: null, setup: null, blockSkip: null, program: null, origin: null };
-const CONTEXT_KEYS = Object.keys(NEUTRAL) as readonly (keyof ProgramContext)[];
+const EMPTY_CONTEXT: ProgramContext = { control: null, setup: null, blockSkip: null, program: null, origin: null };
+const CONTEXT_KEYS = Object.keys(EMPTY_CONTEXT) as readonly (keyof ProgramContext)[];
 
 function hasMotions({ summary }: Report): boolean {
   return summary.finished && summary.motions > 0;
@@ -785,7 +787,7 @@ const WORDS = words({
     partFailed: (reason: string) =>
       `Not all of the playground could be loaded (${reason}). What is drawn is right, and you can go on editing.`,
     pageFailed: (reason: string) => `What stands around the picture could not be loaded (${reason}).`,
-    programComing: (address: string) => `The program is being loaded: ${address}`,
+    programLoading: (address: string) => `The program is being loaded: ${address}`,
     programFailed: (address: string, reason: string) => `The program could not be loaded from ${address} (${reason}).`,
     editorFailed: (reason: string) => `The editor could not be loaded (${reason}). The picture is right.`,
     completionFailed: (reason: string) => `The proposals of the editor could not be loaded (${reason}).`,
@@ -802,7 +804,7 @@ const WORDS = words({
     loadFailed: (reason) => `解释器加载失败（${reason}）。`,
     partFailed: (reason) => `部分内容加载失败（${reason}）。已画出的轨迹是正确的，可以继续编辑。`,
     pageFailed: (reason) => `图形周围的内容加载失败（${reason}）。`,
-    programComing: (address) => `正在加载程序：${address}`,
+    programLoading: (address) => `正在加载程序：${address}`,
     programFailed: (address, reason) => `无法从 ${address} 加载程序（${reason}）。`,
     editorFailed: (reason) => `编辑器加载失败（${reason}）。图形是正确的。`,
     completionFailed: (reason) => `编辑器的输入建议加载失败（${reason}）。`,
@@ -819,7 +821,7 @@ const WORDS = words({
     loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}).`,
     partFailed: (reason) => `Загружено не всё (${reason}). То, что нарисовано, верно; можно редактировать дальше.`,
     pageFailed: (reason) => `Не удалось загрузить то, что окружает чертёж (${reason}).`,
-    programComing: (address) => `Программа загружается: ${address}`,
+    programLoading: (address) => `Программа загружается: ${address}`,
     programFailed: (address, reason) => `Не удалось загрузить программу ${address} (${reason}).`,
     editorFailed: (reason) => `Не удалось загрузить редактор (${reason}). Чертёж верен.`,
     completionFailed: (reason) => `Не удалось загрузить подсказки редактора (${reason}).`,

@@ -4,28 +4,28 @@
 // In: the element, its children and their changes. Out: the program whenever it changes, until the user or the page
 // replaces it; the setup as JSON. Must not know: the content of a program or setup, or how it is shown.
 
-import { loaded, whenOnline } from '../dom/network';
+import { importWithRetry, whenOnline } from '../dom/network';
 import type { ProgramFile } from '../editor/program-text';
 import type { Encoding } from '../files/encodings';
-import { folded } from '../files/line-ends';
+import { foldLineEnds } from '../files/line-ends';
 
 /** A fetch that takes longer than this is reported as slow. */
-const PATIENCE_MS = 700;
+const SLOW_AFTER_MS = 700;
 
 export const PROGRAM_SCRIPT = 'script[type="text/x-gcode"]';
 const SETUP_SCRIPT = 'script[type="application/json"]';
 /** The content of these is not text of the page. */
-const NO_TEXT = 'script, style, template, noscript';
+const NON_TEXT = 'script, style, template, noscript';
 
-export interface SourceEvents {
+interface SourceEvents {
   /** The current program, with all changes by the user or the page. */
   current(): string;
-  program(text: string, file: ProgramFile | undefined): void;
-  setup(json: string): void;
+  onProgram(text: string, file: ProgramFile | undefined): void;
+  onSetup(json: string): void;
   /** A program is being fetched; reported again with `slow` after a while. */
-  coming(address: string, how: 'begun' | 'slow'): void;
-  /** `again` retries the fetch. */
-  failed(address: string, reason: string, again: () => void): void;
+  onLoading(address: string, how: 'started' | 'slow'): void;
+  /** `retry` retries the fetch. */
+  onFailed(address: string, reason: string, retry: () => void): void;
 }
 
 export class Source {
@@ -36,17 +36,21 @@ export class Source {
   #setup: string | undefined;
   /** The address whose program is being fetched or was loaded. */
   #address: string | undefined;
-  #fetching: AbortController | undefined;
+  #abortController: AbortController | undefined;
 
   constructor(element: HTMLElement, events: SourceEvents) {
     this.#element = element;
     this.#events = events;
-    new MutationObserver(() => this.#look()).observe(element, { childList: true, characterData: true, subtree: true });
+    new MutationObserver(() => this.#onMutation()).observe(element, {
+      childList: true,
+      characterData: true,
+      subtree: true,
+    });
   }
 
   /** The initial program; empty if it has to be fetched first. */
-  begin(): string {
-    this.#takeSetup();
+  start(): string {
+    this.#readSetup();
     if (this.#address !== undefined || addressOf(this.#element) !== undefined) {
       this.addressChanged();
       return (this.#text = '');
@@ -59,54 +63,54 @@ export class Source {
     const address = addressOf(this.#element);
     if (address === this.#address) return;
     this.#address = address;
-    this.#fetching?.abort();
-    if (address === undefined) this.#put(textInside(this.#element), undefined);
+    this.#abortController?.abort();
+    if (address === undefined) this.#setProgram(textInside(this.#element), undefined);
     else void this.#fetch(address);
   }
 
   /** The children have changed. */
-  #look(): void {
-    this.#takeSetup();
+  #onMutation(): void {
+    this.#readSetup();
     if (this.#address !== undefined || this.#text === undefined || this.#events.current() !== this.#text) return;
     const text = textInside(this.#element);
-    if (text !== this.#text) this.#put(text, undefined);
+    if (text !== this.#text) this.#setProgram(text, undefined);
   }
 
-  #takeSetup(): void {
+  #readSetup(): void {
     const json = setupInside(this.#element);
     if (json === undefined || json === this.#setup) return;
-    const given = this.#element.getAttribute('setup');
-    if (given !== null && given !== this.#setup) return;
+    const attribute = this.#element.getAttribute('setup');
+    if (attribute !== null && attribute !== this.#setup) return;
     this.#setup = json;
-    this.#events.setup(json);
+    this.#events.onSetup(json);
   }
 
   async #fetch(address: string): Promise<void> {
-    const { signal } = (this.#fetching = new AbortController());
-    this.#events.coming(address, 'begun');
-    const patience = setTimeout(() => this.#events.coming(address, 'slow'), PATIENCE_MS);
+    const { signal } = (this.#abortController = new AbortController());
+    this.#events.onLoading(address, 'started');
+    const slowTimer = setTimeout(() => this.#events.onLoading(address, 'slow'), SLOW_AFTER_MS);
     try {
       const response = await fetch(new URL(address, document.baseURI), { signal });
       if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
-      const { text, encoding } = await decoded(new Uint8Array(await response.arrayBuffer()));
+      const { text, encoding } = await decode(new Uint8Array(await response.arrayBuffer()));
       signal.throwIfAborted();
-      this.#put(text, { name: nameOf(address), encoding });
+      this.#setProgram(text, { name: nameOf(address), encoding });
     } catch (error) {
       if (signal.aborted) return;
       const stop = whenOnline(() => void this.#fetch(address));
       signal.addEventListener('abort', stop);
-      const again = (): void => {
-        this.#fetching?.abort();
+      const retry = (): void => {
+        this.#abortController?.abort();
         void this.#fetch(address);
       };
-      this.#events.failed(address, error instanceof Error ? error.message : String(error), again);
+      this.#events.onFailed(address, error instanceof Error ? error.message : String(error), retry);
     } finally {
-      clearTimeout(patience);
+      clearTimeout(slowTimer);
     }
   }
 
-  #put(text: string, file: ProgramFile | undefined): void {
-    this.#events.program(text, file);
+  #setProgram(text: string, file: ProgramFile | undefined): void {
+    this.#events.onProgram(text, file);
     this.#text = this.#events.current();
   }
 }
@@ -117,12 +121,12 @@ function addressOf(element: HTMLElement): string | undefined {
 }
 
 /** The children that are not in a slot. */
-function own(element: Element): ChildNode[] {
+function unslottedChildren(element: Element): ChildNode[] {
   return [...element.childNodes].filter((node) => !(node instanceof Element && node.hasAttribute('slot')));
 }
 
-function child(element: HTMLElement, selector: string): Element | undefined {
-  return own(element).find((node): node is Element => node instanceof Element && node.matches(selector));
+function findChild(element: HTMLElement, selector: string): Element | undefined {
+  return unslottedChildren(element).find((node): node is Element => node instanceof Element && node.matches(selector));
 }
 
 /**
@@ -130,14 +134,14 @@ function child(element: HTMLElement, selector: string): Element | undefined {
  * lines, and without the common indent.
  */
 export function textInside(element: HTMLElement): string {
-  const holder = child(element, PROGRAM_SCRIPT) ?? child(element, 'pre');
+  const container = findChild(element, PROGRAM_SCRIPT) ?? findChild(element, 'pre');
   const text =
-    holder === undefined
-      ? own(element).map(textOf).join('')
-      : own(holder)
+    container === undefined
+      ? unslottedChildren(element).map(textOf).join('')
+      : unslottedChildren(container)
           .map((node) => node.textContent ?? '')
           .join('');
-  const lines = folded(text).split('\n');
+  const lines = foldLineEnds(text).split('\n');
   while (lines.length > 0 && lines[0]?.trim() === '') lines.shift();
   while (lines.length > 0 && lines.at(-1)?.trim() === '') lines.pop();
   const indents = lines.filter((line) => line.trim() !== '').map((line) => line.length - line.trimStart().length);
@@ -146,12 +150,12 @@ export function textInside(element: HTMLElement): string {
 }
 
 function textOf(node: ChildNode): string {
-  if (node.nodeType === Node.COMMENT_NODE || (node instanceof Element && node.matches(NO_TEXT))) return '';
+  if (node.nodeType === Node.COMMENT_NODE || (node instanceof Element && node.matches(NON_TEXT))) return '';
   return node.textContent ?? '';
 }
 
 function setupInside(element: HTMLElement): string | undefined {
-  const json = child(element, SETUP_SCRIPT)?.textContent.trim();
+  const json = findChild(element, SETUP_SCRIPT)?.textContent.trim();
   return json === '' ? undefined : json;
 }
 
@@ -167,8 +171,8 @@ function nameOf(address: string): string {
 }
 
 /** Most programs are ASCII without the zeros of UTF-16; the detection of encodings is loaded only for others. */
-async function decoded(bytes: Uint8Array): Promise<{ readonly text: string; readonly encoding: Encoding }> {
+async function decode(bytes: Uint8Array): Promise<{ readonly text: string; readonly encoding: Encoding }> {
   if (bytes.every((byte) => byte > 0 && byte < 0x80))
     return { text: new TextDecoder().decode(bytes), encoding: 'utf-8' };
-  return (await loaded(() => import('../files/encoding-guess'))).guess(bytes);
+  return (await importWithRetry(() => import('../files/encoding-guess'))).guessEncoding(bytes);
 }

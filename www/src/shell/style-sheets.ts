@@ -3,20 +3,20 @@
 // In: texts of style sheets. Out: the shadow root adopts them, after its existing ones. `rem` is replaced by the
 // element's own text size, since many pages set the root size to 62.5 %.
 
-const made = new Map<string, CSSStyleSheet>();
+const sheets = new Map<string, CSSStyleSheet>();
 
-export function adopt(root: ShadowRoot, texts: readonly string[]): void {
+export function adoptStyles(root: ShadowRoot, texts: readonly string[]): void {
   root.adoptedStyleSheets = [
-    ...new Set([...root.adoptedStyleSheets, ...texts.filter((text) => text !== '').map(sheet)]),
+    ...new Set([...root.adoptedStyleSheets, ...texts.filter((text) => text !== '').map(getSheet)]),
   ];
 }
 
-function sheet(text: string): CSSStyleSheet {
-  const known = made.get(text);
+function getSheet(text: string): CSSStyleSheet {
+  const known = sheets.get(text);
   if (known !== undefined) return known;
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(withOwnRem(text));
-  made.set(text, sheet);
+  sheets.set(text, sheet);
   return sheet;
 }
 

@@ -8,20 +8,20 @@ import { whenParsed } from './parsed';
 import { PROGRAM_SCRIPT } from './source';
 
 const TAG = 'gcode-playground';
-const MARK = 'data-gcode-playground';
-const MARKED = `${PROGRAM_SCRIPT}[${MARK}], pre[${MARK}]`;
+const MARK_ATTRIBUTE = 'data-gcode-playground';
+const MARKED_SELECTOR = `${PROGRAM_SCRIPT}[${MARK_ATTRIBUTE}], pre[${MARK_ATTRIBUTE}]`;
 
 /** Only the attributes of the element are copied: `data-onclick` must not become `onclick`. */
 export type Attributes = readonly string[];
 
 export function upgradeIn(root: ParentNode, attributes: Attributes): void {
-  const found = [...root.querySelectorAll(MARKED)];
-  if (root instanceof Element && root.matches(MARKED)) found.push(root);
-  for (const marked of found) whenParsed(marked, () => putAround(marked, attributes));
+  const found = [...root.querySelectorAll(MARKED_SELECTOR)];
+  if (root instanceof Element && root.matches(MARKED_SELECTOR)) found.push(root);
+  for (const marked of found) whenParsed(marked, () => wrapInElement(marked, attributes));
 }
 
 /** Upgrades all programs of the page, including those that are parsed later. */
-export function upgradeThePage(attributes: Attributes): void {
+export function upgradeDocument(attributes: Attributes): void {
   const upgrade = (): void => upgradeIn(document, attributes);
   upgrade();
   if (document.readyState !== 'loading') return;
@@ -33,7 +33,7 @@ export function upgradeThePage(attributes: Attributes): void {
   });
 }
 
-function putAround(marked: Element, attributes: Attributes): void {
+function wrapInElement(marked: Element, attributes: Attributes): void {
   const { parentNode, nextSibling } = marked;
   if (parentNode === null || marked.closest(TAG) !== null) return;
   const element = document.createElement(TAG);
@@ -42,6 +42,6 @@ function putAround(marked: Element, attributes: Attributes): void {
     if (value !== null) element.setAttribute(name, value);
   }
   // A picture for users without scripts moves into the slot of the element.
-  element.append(...[...marked.children].filter((inside) => inside.hasAttribute('slot')), marked);
+  element.append(...[...marked.children].filter((child) => child.hasAttribute('slot')), marked);
   parentNode.insertBefore(element, nextSibling);
 }

@@ -7,10 +7,10 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 
-export const LOADINGS = ['lazy', 'eager', 'click'] as const;
+const LOADINGS = ['lazy', 'eager', 'click'] as const;
 export type Loading = (typeof LOADINGS)[number];
 
-export function loadingOf(attribute: string | null): Loading {
+export function parseLoading(attribute: string | null): Loading {
   return LOADINGS.find((loading) => loading === attribute) ?? 'lazy';
 }
 
@@ -18,7 +18,7 @@ export function loadingOf(attribute: string | null): Loading {
  * Distance to the viewport at which an element starts, in viewport heights, so that it is ready when the user scrolls
  * to it.
  */
-const NEAR = 1;
+const START_DISTANCE = 1;
 
 /** The elements that wait to come near the viewport. */
 const waiting = new Map<Element, () => void>();
@@ -35,7 +35,7 @@ export function whenNear(element: HTMLElement, start: () => void): () => void {
       (entries) => {
         for (const { isIntersecting, target } of entries) if (isIntersecting) startNow(target);
       },
-      { rootMargin: `${NEAR * 100}%` },
+      { rootMargin: `${START_DISTANCE * 100}%` },
     );
     addEventListener('beforeprint', () => {
       for (const target of [...waiting.keys()]) startNow(target);
@@ -43,7 +43,7 @@ export function whenNear(element: HTMLElement, start: () => void): () => void {
   }
   waiting.set(element, start);
   observer.observe(element);
-  return () => forget(element);
+  return () => stopWaiting(element);
 }
 
 /** The button that starts the element. */
@@ -56,16 +56,16 @@ export function startButton(language: Language, start: () => void): HTMLElement 
 /** Measured synchronously, so that the first picture does not wait for the next frame. */
 function isNear(element: HTMLElement): boolean {
   const { top, bottom, width, height } = element.getBoundingClientRect();
-  return width > 0 && height > 0 && bottom > -NEAR * innerHeight && top < (1 + NEAR) * innerHeight;
+  return width > 0 && height > 0 && bottom > -START_DISTANCE * innerHeight && top < (1 + START_DISTANCE) * innerHeight;
 }
 
 function startNow(element: Element): void {
   const start = waiting.get(element);
-  forget(element);
+  stopWaiting(element);
   start?.();
 }
 
-function forget(element: Element): void {
+function stopWaiting(element: Element): void {
   waiting.delete(element);
   observer?.unobserve(element);
 }

@@ -4,39 +4,39 @@
 // Must not know: runs, or how answers reach the page.
 
 import { Playground } from '../../pkg/gcode_playground.js';
-import type { ProfilesRead, QuestionKind, Questions, WrittenOut } from '../protocol/protocol';
-import { difference } from './difference';
-import { exported } from './exports';
-import { help } from './help';
-import { piecesOf, programsIn } from './paste';
+import type { ProfilesResult, QuestionKind, Questions, ExpandedProgram } from '../protocol/protocol';
+import { computeDifference } from './difference';
+import { exportFile } from './exports';
+import { answerHelp } from './help';
+import { getPieces, findPrograms } from './paste';
 import { toolAnswers } from './tool';
 
 /** Longer expanded texts get no syntax colours. */
-const COLOUR_LIMIT = 200_000;
+const MAX_COLOURED_LENGTH = 200_000;
 
 export interface AnswerRow<K extends QuestionKind> {
   /** A picture changes: redraw immediately, or when the run is complete. */
-  readonly draws?: 'now' | 'when-whole';
+  readonly draws?: 'now' | 'when-complete';
   /** Wait until all material is removed. */
-  readonly waits?: 'for-the-part';
+  readonly waitsFor?: 'part';
   /** The parts of the interpreter that are needed besides the first one. */
   readonly needs?: readonly ('late' | 'language')[];
-  answer(core: Playground, ask: Questions[K]['ask']): Questions[K]['answer'] | Promise<Questions[K]['answer']>;
+  answer(core: Playground, args: Questions[K]['args']): Questions[K]['answer'] | Promise<Questions[K]['answer']>;
 }
 
-const IN_WORDS = ['late', 'language'] as const;
+const TEXT_PARTS = ['late', 'language'] as const;
 
 export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   tokens: { needs: ['late'], answer: (core, { firstLine, endLine }) => core.tokens(firstLine, endLine) },
-  pick: { needs: IN_WORDS, answer: (core, { picture, x, y }) => core.pick(picture, x, y) },
-  dimension: { needs: IN_WORDS, draws: 'when-whole', answer: (core, { x, y }) => core.dimension(x, y) },
-  play: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.play },
-  seek: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.seek },
-  'seek-block': { needs: IN_WORDS, draws: 'now', answer: toolAnswers['seek-block'] },
-  step: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.step },
-  'go-to': { needs: IN_WORDS, draws: 'now', answer: toolAnswers['go-to'] },
-  strokes: { needs: IN_WORDS, answer: (core, { first, end }) => core.strokes(first, end) },
-  readout: { needs: IN_WORDS, answer: toolAnswers.readout },
+  pick: { needs: TEXT_PARTS, answer: (core, { picture, x, y }) => core.pick(picture, x, y) },
+  dimension: { needs: TEXT_PARTS, draws: 'when-complete', answer: (core, { x, y }) => core.dimension(x, y) },
+  play: { needs: TEXT_PARTS, draws: 'now', answer: toolAnswers.play },
+  seek: { needs: TEXT_PARTS, draws: 'now', answer: toolAnswers.seek },
+  'seek-block': { needs: TEXT_PARTS, draws: 'now', answer: toolAnswers['seek-block'] },
+  step: { needs: TEXT_PARTS, draws: 'now', answer: toolAnswers.step },
+  'go-to': { needs: TEXT_PARTS, draws: 'now', answer: toolAnswers['go-to'] },
+  strokes: { needs: TEXT_PARTS, answer: (core, { first, end }) => core.strokes(first, end) },
+  readout: { needs: TEXT_PARTS, answer: toolAnswers.readout },
   totals: { needs: ['late'], answer: (core) => core.totals() },
   locate: {
     answer(core, { picture, place }) {
@@ -44,43 +44,46 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
       return { x: px, y: py };
     },
   },
-  expand: { needs: IN_WORDS, answer: writtenOut },
-  rewritings: { needs: IN_WORDS, answer: (core, { from, to }) => core.rewritings(from, to) },
-  codes: { needs: IN_WORDS, answer: (core) => core.codes() },
+  expand: { needs: TEXT_PARTS, answer: expandProgram },
+  rewritings: { needs: TEXT_PARTS, answer: (core, { from, to }) => core.rewritings(from, to) },
+  codes: { needs: TEXT_PARTS, answer: (core) => core.codes() },
   // Before the run has ended, nothing is known about the remaining blocks.
-  help: { needs: IN_WORDS, waits: 'for-the-part', answer: help },
-  uses: { needs: IN_WORDS, answer: (core, { offset }) => core.usesAt(offset) },
-  outline: { needs: IN_WORDS, answer: (core) => core.outline() },
+  help: { needs: TEXT_PARTS, waitsFor: 'part', answer: answerHelp },
+  uses: { needs: TEXT_PARTS, answer: (core, { offset }) => core.usesAt(offset) },
+  outline: { needs: TEXT_PARTS, answer: (core) => core.outline() },
   // Wait, since a file of an incomplete program would be mistaken for all of it.
-  export: { needs: IN_WORDS, waits: 'for-the-part', answer: (core, { format }) => exported(core, format) },
-  section: { needs: IN_WORDS, answer: (core) => core.section() },
-  holes: { needs: IN_WORDS, answer: (core) => core.holes() },
-  'programs-in': { needs: IN_WORDS, answer: (_, { text }) => programsIn(text) },
-  'pieces-of': { needs: IN_WORDS, answer: (_, { program, language }) => piecesOf(program, language) },
-  difference: { needs: IN_WORDS, waits: 'for-the-part', answer: difference },
-  'setup-form': { needs: IN_WORDS, answer: (core) => core.setupForm() },
-  'another-tool': { needs: IN_WORDS, answer: (core, { word }) => core.anotherTool(word) },
+  export: { needs: TEXT_PARTS, waitsFor: 'part', answer: (core, { format }) => exportFile(core, format) },
+  section: { needs: TEXT_PARTS, answer: (core) => core.section() },
+  holes: { needs: TEXT_PARTS, answer: (core) => core.holes() },
+  'programs-in': { needs: TEXT_PARTS, answer: (_, { text }) => findPrograms(text) },
+  'pieces-of': { needs: TEXT_PARTS, answer: (_, { program, language }) => getPieces(program, language) },
+  difference: { needs: TEXT_PARTS, waitsFor: 'part', answer: computeDifference },
+  'setup-form': { needs: TEXT_PARTS, answer: (core) => core.setupForm() },
+  'another-tool': { needs: TEXT_PARTS, answer: (core, { word }) => core.anotherTool(word) },
   'read-setup': {
-    needs: IN_WORDS,
+    needs: TEXT_PARTS,
     answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json),
   },
-  'profiles-in': { needs: IN_WORDS, answer: (core, { json }) => profilesIn(core, json) },
-  'profiles-of-run': { needs: IN_WORDS, answer: (core, { json }) => core.profilesOfRun(json) },
-  'with-profile': { needs: IN_WORDS, answer: (core, { json, kind, profile }) => core.withProfile(json, kind, profile) },
+  'profiles-in': { needs: TEXT_PARTS, answer: (core, { json }) => readProfiles(core, json) },
+  'profiles-of-run': { needs: TEXT_PARTS, answer: (core, { json }) => core.profilesOfRun(json) },
+  'with-profile': {
+    needs: TEXT_PARTS,
+    answer: (core, { json, kind, profile }) => core.withProfile(json, kind, profile),
+  },
 };
 
-function profilesIn(core: Playground, json: string): ProfilesRead {
+function readProfiles(core: Playground, json: string): ProfilesResult {
   try {
     return { kind: 'profiles', profiles: core.profilesIn(json) };
   } catch (reason) {
     if (reason instanceof WebAssembly.RuntimeError) throw reason;
-    return { kind: 'wrong', reason: reason instanceof Error ? reason.message : String(reason) };
+    return { kind: 'invalid', reason: reason instanceof Error ? reason.message : String(reason) };
   }
 }
 
-function writtenOut(core: Playground): WrittenOut {
+function expandProgram(core: Playground): ExpandedProgram {
   const text = core.expand();
-  if (text.length > COLOUR_LIMIT) return { text, tokens: new Uint32Array() };
+  if (text.length > MAX_COLOURED_LENGTH) return { text, tokens: new Uint32Array() };
   // Tokens belong to a text, so the expanded text needs a temporary interpreter.
   const reader = new Playground();
   try {

@@ -4,10 +4,10 @@
 // and promises of answers, for the newest run only; everything about earlier runs is dropped here. Must not know: the
 // meaning of commands, the content of the page, or that elements share the worker.
 
-import { CoreThread, type Line, type Loss } from './core-thread';
+import { CoreThread, type WorkerConnection, type Loss } from './core-thread';
 import {
-  counts,
-  OF_THE_RUN,
+  mayChangeDisplay,
+  RUN_DEPENDENT,
   type Answer,
   type Command,
   type Pictures,
@@ -22,25 +22,25 @@ import {
 export type { Loss };
 
 /** The events that are passed on, besides answers and pictures. */
-export type Heard = Exclude<RunEvent, { readonly kind: 'answer' | 'pictures' | 'settled' }>;
+export type CoreEvent = Exclude<RunEvent, { readonly kind: 'answer' | 'pictures' | 'settled' }>;
 
 export interface CoreListener {
   /** The interpreter is loaded. */
-  ready(): void;
+  onReady(): void;
   /** An event of the newest run. */
-  event(event: Heard): void;
+  onEvent(event: CoreEvent): void;
   /** Shows pictures of the newest run that the worker knows. The listener owns the images. */
-  pictures(pictures: Pictures): void;
+  onPictures(pictures: Pictures): void;
   /** Something that may change the display is in progress. */
-  unsettled(): void;
+  onUnsettled(): void;
   /** The worker has processed all messages, and everything of the newest run is shown. */
-  settled(run: number): void;
+  onSettled(run: number): void;
   /** The worker or the session has failed; nothing sent to this client is answered any more. */
-  lost(loss: Loss): void;
+  onLost(loss: Loss): void;
 }
 
 /** A pending question. */
-interface Waiting {
+interface PendingQuestion {
   readonly about: QuestionKind;
   readonly resolve: (answer: never) => void;
 }
@@ -49,24 +49,24 @@ interface Waiting {
 let newestRun = 0;
 
 export class CoreClient {
-  readonly #line: Line;
+  readonly #connection: WorkerConnection;
   readonly #listener: CoreListener;
-  readonly #waiting = new Map<number, Waiting>();
+  readonly #pendingQuestions = new Map<number, PendingQuestion>();
   #nextId = 1;
-  #ended = false;
-  /** The run that the page wants; `#told` is the last one that was sent to the worker. */
+  #isEnded = false;
+  /** The run that the page wants; `#sentRun` is the last one that was sent to the worker. */
   #run = ++newestRun;
-  #told = 0;
+  #sentRun = 0;
   /** The number of sent messages that may change the display. */
-  #sent = 0;
+  #sentCount = 0;
 
-  /** `where`: `apart` if this element has made a shared worker fail before. */
-  constructor(listener: CoreListener, where: 'with-others' | 'apart') {
+  /** `mode`: `separate` if this element has made a shared worker fail before. */
+  constructor(listener: CoreListener, mode: 'shared' | 'separate') {
     this.#listener = listener;
-    this.#line = CoreThread.join(where, {
-      ready: () => listener.ready(),
-      event: (event) => this.#receive(event),
-      lost: (loss) => this.#lose(loss),
+    this.#connection = CoreThread.join(mode, {
+      onReady: () => listener.onReady(),
+      onEvent: (event) => this.#receive(event),
+      onLost: (loss) => this.#fail(loss),
     });
   }
 
@@ -78,95 +78,95 @@ export class CoreClient {
   /**
    * Text or setup have changed: results of earlier runs are dropped from now on, even before the worker is notified.
    */
-  outdate(): void {
-    if (this.#run === this.#told) this.#run = ++newestRun;
-    this.#listener.unsettled();
+  markOutdated(): void {
+    if (this.#run === this.#sentRun) this.#run = ++newestRun;
+    this.#listener.onUnsettled();
   }
 
   /** Starts a run of the changes. */
-  begin(change: RunChange): void {
-    this.outdate();
-    this.#told = this.#run;
+  startRun(change: RunChange): void {
+    this.markOutdated();
+    this.#sentRun = this.#run;
     this.send({ kind: 'run', run: this.#run, ...change });
   }
 
   send(command: Command): void {
-    if (this.#ended) return;
+    if (this.#isEnded) return;
     this.#post(command);
   }
 
   /**
-   * The promise stays pending if the worker fails; `lost` reports that. A question about a run is answered with
+   * The promise stays pending if the worker fails; `onLost` reports that. A question about a run is answered with
    * `undefined` once there is a newer run.
    */
-  ask<K extends QuestionKind>(about: K, ask: Questions[K]['ask']): Promise<Answer<K>> {
+  ask<K extends QuestionKind>(about: K, args: Questions[K]['args']): Promise<Answer<K>> {
     return new Promise((resolve) => {
-      if (this.#ended) return;
-      const question: Question<K> = { kind: 'question', id: this.#nextId++, about, ask };
-      this.#waiting.set(question.id, { about, resolve: resolve as (answer: never) => void });
+      if (this.#isEnded) return;
+      const question: Question<K> = { kind: 'question', id: this.#nextId++, about, args };
+      this.#pendingQuestions.set(question.id, { about, resolve: resolve as (answer: never) => void });
       this.#post(question);
     });
   }
 
   end(): void {
-    this.#ended = true;
-    this.#waiting.clear();
-    this.#line.leave();
+    this.#isEnded = true;
+    this.#pendingQuestions.clear();
+    this.#connection.close();
   }
 
   #post(message: Command | Question): void {
-    if (counts(message)) {
-      this.#sent++;
-      this.#listener.unsettled();
+    if (mayChangeDisplay(message)) {
+      this.#sentCount++;
+      this.#listener.onUnsettled();
     }
-    this.#line.say(message);
+    this.#connection.send(message);
   }
 
   #receive(event: SessionEvent): void {
-    if (this.#ended) {
-      if (event.kind === 'pictures') close(event.pictures);
+    if (this.#isEnded) {
+      if (event.kind === 'pictures') closeImages(event.pictures);
       return;
     }
     switch (event.kind) {
       case 'answer': {
-        const waiting = this.#waiting.get(event.id);
-        this.#waiting.delete(event.id);
-        if (waiting === undefined) return;
-        const overtaken = OF_THE_RUN[waiting.about] && event.run !== this.#run;
-        waiting.resolve((overtaken ? undefined : event.answer) as never);
+        const pending = this.#pendingQuestions.get(event.id);
+        this.#pendingQuestions.delete(event.id);
+        if (pending === undefined) return;
+        const isOutdated = RUN_DEPENDENT[pending.about] && event.run !== this.#run;
+        pending.resolve((isOutdated ? undefined : event.answer) as never);
         return;
       }
       case 'pictures': {
         // While a change was not sent yet, a picture of the last sent run is still shown.
-        const dropped = event.run !== this.#told;
-        if (dropped) close(event.pictures);
-        else this.#listener.pictures(event.pictures);
+        const dropped = event.run !== this.#sentRun;
+        if (dropped) closeImages(event.pictures);
+        else this.#listener.onPictures(event.pictures);
         this.send({ kind: 'shown', dropped });
         return;
       }
       case 'settled':
-        if (event.run === this.#run && event.heard === this.#sent) this.#listener.settled(event.run);
+        if (event.run === this.#run && event.received === this.#sentCount) this.#listener.onSettled(event.run);
         return;
       // These are about the worker, so they are valid for any run.
       case 'part-failed':
-        this.#listener.event(event.run === this.#run ? event : { ...event, neededFor: 'something-else' });
+        this.#listener.onEvent(event.run === this.#run ? event : { ...event, neededFor: 'something-else' });
         return;
       case 'parts-loaded':
-        this.#listener.event(event);
+        this.#listener.onEvent(event);
         return;
       default:
-        if (event.run === this.#run) this.#listener.event(event);
+        if (event.run === this.#run) this.#listener.onEvent(event);
     }
   }
 
-  #lose(loss: Loss): void {
-    if (this.#ended) return;
+  #fail(loss: Loss): void {
+    if (this.#isEnded) return;
     this.end();
-    this.#listener.lost(loss);
+    this.#listener.onLost(loss);
   }
 }
 
-function close(pictures: Pictures): void {
+function closeImages(pictures: Pictures): void {
   for (const image of Object.values(pictures)) image.close();
 }
 
@@ -174,42 +174,42 @@ function close(pictures: Pictures): void {
  * Asks with the newest value only: while a question is pending, later ones replace each other, so a fast pointer never
  * fills a queue.
  */
-export class Newest<K extends QuestionKind> {
+export class LatestQuestion<K extends QuestionKind> {
   readonly #client: CoreClient;
   readonly #about: K;
-  readonly #answered: (answer: Answer<K>) => void;
-  #busy = false;
-  #next: { readonly ask: Questions[K]['ask'] } | undefined;
+  readonly #onAnswer: (answer: Answer<K>) => void;
+  #isPending = false;
+  #next: { readonly args: Questions[K]['args'] } | undefined;
   /** The pending answer is to be dropped. */
-  #forgotten = false;
+  #isCancelled = false;
 
-  constructor(client: CoreClient, about: K, answered: (answer: Answer<K>) => void) {
+  constructor(client: CoreClient, about: K, onAnswer: (answer: Answer<K>) => void) {
     this.#client = client;
     this.#about = about;
-    this.#answered = answered;
+    this.#onAnswer = onAnswer;
   }
 
-  ask(ask: Questions[K]['ask']): void {
-    if (this.#busy) {
-      this.#next = { ask };
-      this.#forgotten = false;
+  ask(args: Questions[K]['args']): void {
+    if (this.#isPending) {
+      this.#next = { args };
+      this.#isCancelled = false;
       return;
     }
-    this.#busy = true;
-    this.#forgotten = false;
-    void this.#client.ask(this.#about, ask).then((answer) => {
+    this.#isPending = true;
+    this.#isCancelled = false;
+    void this.#client.ask(this.#about, args).then((answer) => {
       const next = this.#next;
-      this.#busy = false;
+      this.#isPending = false;
       this.#next = undefined;
       // Show an answer even if a newer question is waiting: a late value is better than a frozen display.
-      if (!this.#forgotten) this.#answered(answer);
-      if (next !== undefined) this.ask(next.ask);
+      if (!this.#isCancelled) this.#onAnswer(answer);
+      if (next !== undefined) this.ask(next.args);
     });
   }
 
   /** Drops the waiting question, and the answer to the pending one. */
-  forget(): void {
+  cancel(): void {
     this.#next = undefined;
-    this.#forgotten = true;
+    this.#isCancelled = true;
   }
 }

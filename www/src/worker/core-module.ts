@@ -12,14 +12,14 @@ let cache: RequestCache = 'default';
 /** The compiled module. Rejected if it cannot be loaded; the next call retries. */
 export function coreModule(): Promise<WebAssembly.Module> {
   compiled ??= load().catch((reason: unknown) => {
-    forgetCoreModule();
+    discardCoreModule();
     throw reason;
   });
   return compiled;
 }
 
 /** Call this if the module is unusable: the next caller fetches it again. */
-export function forgetCoreModule(): void {
+export function discardCoreModule(): void {
   compiled = undefined;
   cache = 'reload';
 }
@@ -30,6 +30,6 @@ async function load(): Promise<WebAssembly.Module> {
   const response = await fetch(address, { mode: 'cors', credentials: 'same-origin', cache });
   if (!response.ok) throw new Error(`${address.href}: ${response.status}`);
   // Some servers send another content type for wasm; streaming compilation would reject it.
-  const streams = response.headers.get('content-type')?.startsWith('application/wasm') === true;
-  return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+  const canStream = response.headers.get('content-type')?.startsWith('application/wasm') === true;
+  return canStream ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }

@@ -5,25 +5,25 @@
 // shown.
 
 import type { Playground } from '../../pkg/gcode_playground.js';
-import type { Differed, OtherVersion } from '../protocol/protocol';
+import type { DifferenceResult, OtherVersion } from '../protocol/protocol';
 
 /** A program that takes longer is compared as far as it has run; a message reports that. */
 const RUN_LIMIT_MS = 4_000;
 const MACHINE_LIMIT_MS = 3_000;
-const BLOCKS = 20_000;
-const MOTIONS = 100;
+const BLOCKS_PER_STEP = 20_000;
+const MOTIONS_PER_STEP = 100;
 
-export function difference(core: Playground, { text, names: [first, second] }: OtherVersion): Differed {
+export function computeDifference(core: Playground, { text, names: [first, second] }: OtherVersion): DifferenceResult {
   const other = core.another(text);
   try {
-    const begun = performance.now();
-    while (!other.advance(BLOCKS)) {
-      const took = performance.now() - begun;
-      if (took > RUN_LIMIT_MS) other.stop(took / 1000);
+    const startedAt = performance.now();
+    while (!other.advance(BLOCKS_PER_STEP)) {
+      const elapsedMs = performance.now() - startedAt;
+      if (elapsedMs > RUN_LIMIT_MS) other.stop(elapsedMs / 1000);
     }
-    const ran = performance.now();
-    while (!other.removeMaterial(MOTIONS)) {
-      if (performance.now() - ran > MACHINE_LIMIT_MS) other.stopMachining();
+    const machiningStartedAt = performance.now();
+    while (!other.removeMaterial(MOTIONS_PER_STEP)) {
+      if (performance.now() - machiningStartedAt > MACHINE_LIMIT_MS) other.stopMachining();
     }
     return { rows: core.differenceFrom(other), drawing: core.drawnWith(other, first, second) };
   } finally {

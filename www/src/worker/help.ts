@@ -4,60 +4,60 @@
 // or there is a newer run. Must not know: the content of the answer.
 
 import type { Playground } from '../../pkg/gcode_playground.js';
-import type { Asker, Help, HelpWanted } from '../protocol/protocol';
+import type { HelpClient, Help, HelpRequest } from '../protocol/protocol';
 
 /** Blocks to replay before newer messages are processed. */
-const BLOCKS = 20_000;
+const BLOCKS_PER_SLICE = 20_000;
 
 /** The pending questions of one program. */
-interface Asked {
-  readonly newest: Map<Asker, HelpWanted>;
+interface PendingHelp {
+  readonly newest: Map<HelpClient, HelpRequest>;
   /** The question whose block is being searched for; one at a time for each program. */
-  sought: HelpWanted | undefined;
+  current: HelpRequest | undefined;
 }
 
-const asked = new WeakMap<Playground, Asked>();
+const pendingByCore = new WeakMap<Playground, PendingHelp>();
 
-export function help(core: Playground, ask: HelpWanted): Help | undefined | Promise<Help | undefined> {
-  const all = asked.get(core) ?? { newest: new Map<Asker, HelpWanted>(), sought: undefined };
-  asked.set(core, all);
-  all.newest.set(ask.by, ask);
-  const other = all.sought;
-  if (other !== undefined && all.newest.get(other.by) === other) return later();
-  return begun() ? answer() : later();
+export function answerHelp(core: Playground, request: HelpRequest): Help | undefined | Promise<Help | undefined> {
+  const pending = pendingByCore.get(core) ?? { newest: new Map<HelpClient, HelpRequest>(), current: undefined };
+  pendingByCore.set(core, pending);
+  pending.newest.set(request.by, request);
+  const other = pending.current;
+  if (other !== undefined && pending.newest.get(other.by) === other) return answerLater();
+  return start() ? answer() : answerLater();
 
-  function begun(): boolean {
-    all.sought = ask;
-    const isThere =
-      ask.about === 'motion'
-        ? core.askMotion(ask.motion)
-        : core.askBlock(ask.offset, ask.about === 'block' ? ask.time : undefined);
-    return isThere || core.lookForAnswer(BLOCKS);
+  function start(): boolean {
+    pending.current = request;
+    const isReady =
+      request.about === 'motion'
+        ? core.askMotion(request.motion)
+        : core.askBlock(request.offset, request.about === 'block' ? request.time : undefined);
+    return isReady || core.lookForAnswer(BLOCKS_PER_SLICE);
   }
 
   function answer(): Help {
-    all.sought = undefined;
-    switch (ask.about) {
+    pending.current = undefined;
+    switch (request.about) {
       case 'word':
-        return { asked: ask, word: core.wordHelp() };
+        return { request, word: core.wordHelp() };
       case 'block':
-        return { asked: ask, word: core.wordHelp(), form: core.formHelp(), state: core.stateHelp() };
+        return { request, word: core.wordHelp(), form: core.formHelp(), state: core.stateHelp() };
       case 'completion':
-        return { asked: ask, completion: core.completionHelp(ask.askedFor) };
+        return { request, completion: core.completionHelp(request.isExplicit) };
       case 'motion':
-        return { asked: ask, explanation: core.explanation() };
+        return { request, explanation: core.explanation() };
     }
   }
 
-  async function later(): Promise<Help | undefined> {
+  async function answerLater(): Promise<Help | undefined> {
     for (;;) {
-      await new Promise((done) => setTimeout(done));
-      if (asked.get(core)?.newest.get(ask.by) !== ask) return undefined;
-      const { sought } = all;
+      await new Promise((resolve) => setTimeout(resolve));
+      if (pendingByCore.get(core)?.newest.get(request.by) !== request) return undefined;
+      const { current } = pending;
       if (
-        sought === ask
-          ? core.lookForAnswer(BLOCKS)
-          : (sought === undefined || all.newest.get(sought.by) !== sought) && begun()
+        current === request
+          ? core.lookForAnswer(BLOCKS_PER_SLICE)
+          : (current === undefined || pending.newest.get(current.by) !== current) && start()
       )
         return answer();
     }
@@ -65,6 +65,6 @@ export function help(core: Playground, ask: HelpWanted): Help | undefined | Prom
 }
 
 /** Drops the questions of a closed program. */
-export function forget(core: Playground): void {
-  asked.delete(core);
+export function dropQuestions(core: Playground): void {
+  pendingByCore.delete(core);
 }

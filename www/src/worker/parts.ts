@@ -14,29 +14,29 @@ export type { PartName };
 /** A session that waits for parts. */
 export interface Waiter {
   /** Runs a callback that has waited. */
-  guarded(step: () => void): void;
-  partFailed(reason: unknown): void;
+  runGuarded(step: () => void): void;
+  onPartFailed(reason: unknown): void;
   /** All parts that had failed are loaded. */
-  partsLoaded(): void;
+  onPartsLoaded(): void;
 }
 
 export class LateParts<W extends Waiter> {
   readonly #exports: object;
   readonly #files: PartFiles;
-  readonly #all: () => Iterable<W>;
+  readonly #allWaiters: () => Iterable<W>;
   readonly #loaded = new Set<PartName>();
   readonly #loading = new Map<PartName, Promise<void>>();
   /** The errors of parts that could not be loaded, until they are. */
   readonly #missing = new Map<PartName, unknown>();
-  #waiting: { readonly waiter: W; readonly needs: readonly PartName[]; readonly act: () => void }[] = [];
+  #waiting: { readonly waiter: W; readonly needs: readonly PartName[]; readonly callback: () => void }[] = [];
   /** Set until the first picture: loading parts could delay it. */
-  #isHeld = true;
+  #isOnHold = true;
 
-  /** `exports`: of the module; `all`: the possible waiters. */
-  constructor(exports: object, files: PartFiles, all: () => Iterable<W>) {
+  /** `exports`: of the module; `allWaiters`: the possible waiters. */
+  constructor(exports: object, files: PartFiles, allWaiters: () => Iterable<W>) {
     this.#exports = exports;
     this.#files = files;
-    this.#all = all;
+    this.#allWaiters = allWaiters;
   }
 
   has(...parts: readonly PartName[]): boolean {
@@ -52,36 +52,36 @@ export class LateParts<W extends Waiter> {
 
   /** Loads missing parts in the given order, one after the other. Failures are reported to the waiters. */
   load(...parts: readonly PartName[]): void {
-    void this.#loadInTurn(parts);
+    void this.#loadSequentially(parts);
   }
 
-  /** Calls `act` as soon as the parts it needs are loaded. */
-  whenLoaded(waiter: W, needs: readonly PartName[], act: () => void): void {
-    if (this.has(...needs)) return act();
-    this.#waiting.push({ waiter, needs, act });
+  /** Calls `callback` as soon as the parts it needs are loaded. */
+  whenLoaded(waiter: W, needs: readonly PartName[], callback: () => void): void {
+    if (this.has(...needs)) return callback();
+    this.#waiting.push({ waiter, needs, callback });
     const missing = needs.find((part) => this.#missing.has(part) && !this.#loading.has(part));
-    if (missing !== undefined) waiter.partFailed(this.#missing.get(missing));
-    else if (!this.#isHeld) this.load(...needs);
+    if (missing !== undefined) waiter.onPartFailed(this.#missing.get(missing));
+    else if (!this.#isOnHold) this.load(...needs);
   }
 
   /** Loads the parts that are waited for, and retries the failed ones. */
   loadAll(): void {
-    this.#isHeld = false;
-    for (const part of this.#missing.keys()) void this.#load(part, 'again').catch(() => undefined);
+    this.#isOnHold = false;
+    for (const part of this.#missing.keys()) void this.#load(part, 'retry').catch(() => undefined);
     for (const { needs } of this.#waiting) this.load(...needs);
   }
 
   /** The first picture was sent: loading parts no longer delays it. */
   release(): void {
-    if (this.#isHeld) this.loadAll();
+    if (this.#isOnHold) this.loadAll();
   }
 
   /** Removes all callbacks of a waiter. */
-  leave(waiter: W): void {
-    this.#waiting = this.#waiting.filter((late) => late.waiter !== waiter);
+  remove(waiter: W): void {
+    this.#waiting = this.#waiting.filter((entry) => entry.waiter !== waiter);
   }
 
-  async #loadInTurn(parts: readonly PartName[]): Promise<void> {
+  async #loadSequentially(parts: readonly PartName[]): Promise<void> {
     try {
       for (const part of parts) await this.#load(part);
     } catch {
@@ -89,11 +89,11 @@ export class LateParts<W extends Waiter> {
     }
   }
 
-  async #load(part: PartName, which: 'first' | 'again' = 'first'): Promise<void> {
+  async #load(part: PartName, attempt: 'first' | 'retry' = 'first'): Promise<void> {
     if (this.#loaded.has(part)) return;
-    const known = this.#loading.get(part);
-    if (known !== undefined) return known;
-    if (which === 'first' && this.#missing.has(part)) throw this.#missing.get(part);
+    const inProgress = this.#loading.get(part);
+    if (inProgress !== undefined) return inProgress;
+    if (attempt === 'first' && this.#missing.has(part)) throw this.#missing.get(part);
     const loading = loadPart(part, this.#exports, this.#files[part]);
     this.#loading.set(part, loading);
     try {
@@ -101,7 +101,7 @@ export class LateParts<W extends Waiter> {
     } catch (reason) {
       this.#loading.delete(part);
       this.#missing.set(part, reason);
-      this.#failed(part, reason);
+      this.#reportFailure(part, reason);
       throw reason;
     }
     this.#loading.delete(part);
@@ -110,28 +110,29 @@ export class LateParts<W extends Waiter> {
       this.#loaded.add(loaded);
       hadFailed = this.#missing.delete(loaded) || hadFailed;
     }
-    this.#goOn();
+    this.#runReady();
     if (hadFailed && this.#missing.size === 0)
-      for (const waiter of this.#all()) waiter.guarded(() => waiter.partsLoaded());
+      for (const waiter of this.#allWaiters()) waiter.runGuarded(() => waiter.onPartsLoaded());
   }
 
-  #goOn(): void {
+  #runReady(): void {
     const waiting = this.#waiting;
     this.#waiting = [];
-    for (const late of waiting) {
-      if (this.has(...late.needs)) late.waiter.guarded(late.act);
-      else this.#waiting.push(late);
+    for (const entry of waiting) {
+      if (this.has(...entry.needs)) entry.waiter.runGuarded(entry.callback);
+      else this.#waiting.push(entry);
     }
   }
 
   /** Reports a failure to the waiters of the part, or to all if none waits: then it was loaded in advance. */
-  #failed(part: PartName, reason: unknown): void {
-    if (this.#isHeld) {
+  #reportFailure(part: PartName, reason: unknown): void {
+    if (this.#isOnHold) {
       // A failed part must not delay other parts.
-      this.#isHeld = false;
+      this.#isOnHold = false;
       for (const { needs } of this.#waiting) this.load(...needs.filter((need) => !this.#missing.has(need)));
     }
     const waiting = new Set(this.#waiting.filter(({ needs }) => needs.includes(part)).map(({ waiter }) => waiter));
-    for (const waiter of waiting.size > 0 ? waiting : this.#all()) waiter.guarded(() => waiter.partFailed(reason));
+    for (const waiter of waiting.size > 0 ? waiting : this.#allWaiters())
+      waiter.runGuarded(() => waiter.onPartFailed(reason));
   }
 }

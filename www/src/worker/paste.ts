@@ -8,12 +8,12 @@ import type { FoundPiece, FoundPrograms } from '../protocol/protocol';
 
 let pasted: PastedText | undefined;
 
-export function programsIn(text: string): FoundPrograms {
+export function findPrograms(text: string): FoundPrograms {
   pasted?.free();
   pasted = new PastedText(text);
   return pasted.programs();
 }
 
-export function piecesOf(program: number, language: string): readonly FoundPiece[] {
+export function getPieces(program: number, language: string): readonly FoundPiece[] {
   return pasted?.pieces(program, language) ?? [];
 }

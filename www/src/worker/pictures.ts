@@ -6,26 +6,26 @@
 import { Drawn, type PictureName, type Playground } from '../../pkg/gcode_playground.js';
 import { PICTURES, type CanvasCommand, type Pictures, type ViewsState } from '../protocol/protocol';
 
-type OnCanvas<K extends CanvasCommand['kind']> = (
+type CanvasHandler<K extends CanvasCommand['kind']> = (
   core: Playground,
   picture: PictureName,
-  what: Extract<CanvasCommand, { readonly kind: K }>,
+  command: Extract<CanvasCommand, { readonly kind: K }>,
 ) => void;
 
-const ON_CANVAS: { readonly [K in CanvasCommand['kind']]: OnCanvas<K> } = {
+const CANVAS_HANDLERS: { readonly [K in CanvasCommand['kind']]: CanvasHandler<K> } = {
   canvas(core, picture, { size }) {
     core.attachCanvas(picture, new OffscreenCanvas(1, 1));
     core.resize(picture, size.width, size.height, size.pixelRatio);
   },
   resize: (core, picture, { size }) => core.resize(picture, size.width, size.height, size.pixelRatio),
-  'paint-again': (core) => core.paintAgain(),
+  repaint: (core) => core.paintAgain(),
   fit: (core, picture) => core.fit(picture),
   pan: (core, picture, { dx, dy }) => core.pan(picture, dx, dy),
   zoom: (core, picture, { factor, x, y }) => core.zoom(picture, factor, x, y),
 };
 
-export function changePicture(core: Playground, picture: PictureName, what: CanvasCommand): void {
-  (ON_CANVAS[what.kind] as OnCanvas<typeof what.kind>)(core, picture, what);
+export function changePicture(core: Playground, picture: PictureName, command: CanvasCommand): void {
+  (CANVAS_HANDLERS[command.kind] as CanvasHandler<typeof command.kind>)(core, picture, command);
 }
 
 /** Fits each picture to its content. */
@@ -40,12 +40,12 @@ export function drawAll(core: Playground): Drawn {
 
 /** Takes the images painted since the last call. */
 export function takePictures(core: Playground): Pictures | undefined {
-  const taken: Partial<Record<PictureName, ImageBitmap>> = {};
+  const images: Partial<Record<PictureName, ImageBitmap>> = {};
   for (const picture of PICTURES) {
     const image = core.takeImage(picture);
-    if (image !== undefined) taken[picture] = image;
+    if (image !== undefined) images[picture] = image;
   }
-  return Object.keys(taken).length === 0 ? undefined : taken;
+  return Object.keys(images).length === 0 ? undefined : images;
 }
 
 export function viewsState(core: Playground): ViewsState {

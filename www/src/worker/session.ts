@@ -1,6 +1,6 @@
 // The session of one element in the worker: owns a `Playground`, its text and the canvas it draws on.
 //
-// In: commands and questions of protocol.ts. Out: events, each with the number of its run; all are sent by `#tell`. A
+// In: commands and questions of protocol.ts. Out: events, each with the number of its run; all are sent by `#emit`. A
 // program runs in slices, and messages are processed between them, so a newer text ends an older run immediately, and
 // no session waits long for another. Pictures are sent as images, one at a time: the next one is sent after the page
 // has shown the last, so "settled" refers to the pictures on the page. Must not know: the page, other sessions, or the
@@ -8,12 +8,12 @@
 
 import { Drawn, type Playground } from '../../pkg/gcode_playground.js';
 import { ANSWERS, type AnswerRow } from './answers';
-import { forget } from './help';
-import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
+import { dropQuestions } from './help';
+import { mayContainSwitches, SwitchFinder } from './switches-in-text';
 import {
-  counts,
+  mayChangeDisplay,
   type BeginRun,
-  type Came,
+  type ChangeSource,
   type Command,
   type Question,
   type QuestionKind,
@@ -27,18 +27,18 @@ import {
   type Work,
 } from '../protocol/protocol';
 import type { LateParts, PartName, Waiter } from './parts';
-import { handIn } from './text-in';
+import { copyText } from './copy-text';
 import { changePicture, drawAll, fitAll, takePictures, viewsState } from './pictures';
 
 /** The only setup that does not need the part `early`. */
-const NO_SETUP = '{}';
+const EMPTY_SETUP = '{}';
 const BLOCKS_PER_SLICE = 20_000;
 /** A limit in case the user is away; otherwise the user can stop a run at any time. */
 const RUN_LIMIT_MS = 60_000;
 /** Lines searched for switches in one slice. */
-const LINES_PER_LOOK = 20_000;
+const LINES_PER_SLICE = 20_000;
 /** After a longer change, the whole text is searched for switches. */
-const LOOK_LIMIT = 100_000;
+const FULL_SEARCH_ABOVE = 100_000;
 /** Motions whose material is removed before the time is checked, and how long the first report waits for the part. */
 const MOTIONS_PER_SLICE = 20;
 const WAIT_FOR_PART_MS = 8;
@@ -47,61 +47,61 @@ const SHOW_PATH_AFTER_MS = 300;
 /** Parts are loaded after this delay even if no picture is drawn, as in a hidden tab. */
 const LOAD_PARTS_AFTER_MS = 500;
 /**
- * After this idle time a session releases its images, if it has at most `MOST_TO_PAINT_AT_ONCE` motions, which are
+ * After this idle time a session releases its images, if it has at most `MAX_MOTIONS_TO_REPAINT` motions, which are
  * redrawn immediately.
  */
-const REST_AFTER_MS = 3_000;
-const MOST_TO_PAINT_AT_ONCE = 4_000;
+const RELEASE_IMAGES_AFTER_MS = 3_000;
+const MAX_MOTIONS_TO_REPAINT = 4_000;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
 /** The run of a picture, and its counts. */
-interface Pictured {
+interface PictureInfo {
   readonly run: number;
   readonly motions: number;
   readonly errors: number;
 }
 
 /** Start time of an activity, and of its last progress report. */
-interface Going {
+interface Timed {
   readonly startedAt: number;
   lastProgressAt: number;
 }
 
 /** The progress of the current run. */
 type Stage =
-  | ({ readonly kind: 'running' } & Going)
+  | ({ readonly kind: 'running' } & Timed)
   /** The run needs a part that is being loaded; nothing is drawn. */
-  | { readonly kind: 'lacking' }
+  | { readonly kind: 'blocked' }
   /** The path is drawn; the parts that remove material and make messages are not loaded yet. */
   | { readonly kind: 'waiting' }
   /** Material is being removed; whether the path was reported and drawn before the part is complete. */
-  | ({ readonly kind: 'machining'; pathTold: boolean; pathShown: boolean } & Going)
+  | ({ readonly kind: 'machining'; pathReported: boolean; pathDrawn: boolean } & Timed)
   | { readonly kind: 'done' };
 
 /** Whether to draw a picture: when the run is complete, or immediately. */
-type Wanted = 'no' | 'when-whole' | 'now';
+type DrawRequest = 'no' | 'when-complete' | 'now';
 
 /** What the worker provides to a session. */
 export interface Thread {
   /** Calls `nextSlice` after the messages that have arrived by then. */
   queue(): void;
-  tell(event: SessionEvent, images: ImageBitmap[]): void;
+  emit(event: SessionEvent, images: ImageBitmap[]): void;
   /** Runs a step; an exception is reported as a failure of this session. */
-  guarded(step: () => void): void;
+  runGuarded(step: () => void): void;
 }
 
 interface CommandRow<K extends Command['kind']> {
-  /** `when-whole` keeps the old picture until the run is complete; moving the picture redraws it immediately. */
-  readonly draws: Wanted;
-  act(session: Session, command: Extract<Command, { readonly kind: K }>): void;
+  /** `when-complete` keeps the old picture until the run is complete; moving the picture redraws it immediately. */
+  readonly draws: DrawRequest;
+  execute(session: Session, command: Extract<Command, { readonly kind: K }>): void;
 }
 
-const OF_THE_PICTURE: ReadonlySet<QuestionKind> = new Set<QuestionKind>(['pick', 'dimension']);
+const PICTURE_QUESTIONS: ReadonlySet<QuestionKind> = new Set<QuestionKind>(['pick', 'dimension']);
 
 /** Whether a message contains a setup, which the part `early` parses. */
 export function mayNeedSetup(message: Command | Question): boolean {
-  return message.kind === 'run' && message.setup !== undefined && message.setup !== NO_SETUP;
+  return message.kind === 'run' && message.setup !== undefined && message.setup !== EMPTY_SETUP;
 }
 
 export class Session implements Waiter {
@@ -115,35 +115,35 @@ export class Session implements Waiter {
   /** Why the last setup was rejected. */
   #setupRejected: string | undefined;
   /** A setup that waits for the part `early`. */
-  #unreadSetup: string | undefined;
+  #pendingSetup: string | undefined;
   /** The search for switches in the text; undefined once it is complete. */
-  #looking: { readonly finder: SwitchFinder; nextLine: number } | undefined;
+  #switchSearch: { readonly finder: SwitchFinder; nextLine: number } | undefined;
   #switches: SwitchesInText | undefined;
-  #drawWanted: Wanted = 'no';
-  #frameAsked = false;
+  #drawRequest: DrawRequest = 'no';
+  #frameRequested = false;
   /** A picture with very many strokes is being drawn in slices. */
-  #drawing = false;
+  #isDrawing = false;
   /** The page has not shown the last picture yet. */
-  #onTheWay = false;
+  #pictureInFlight = false;
   /** The last picture of a complete path. */
-  #pictured: Pictured | undefined;
+  #lastPicture: PictureInfo | undefined;
   /**
    * The line in which the current run was typed; undefined if its text changed otherwise, or the cursor has left the
    * line.
    */
   #typedLine: number | undefined;
   /** The page shows the picture of an earlier run, while the cursor stays in this line. */
-  #keepsOld: { readonly line: number } | undefined;
+  #oldPicture: { readonly line: number } | undefined;
   /** A report waits for the texts of a language. */
-  #reportsLate = false;
+  #reportPending = false;
   /** The number of received messages that may change the display, and its value when `settled` was last sent. */
-  #heard = 0;
+  #receivedCount = 0;
   #settledAt = -1;
   /** Callbacks that wait until the part is complete. */
-  readonly #onceWhole: (() => void)[] = [];
+  readonly #completionCallbacks: (() => void)[] = [];
   #sliceQueued = false;
-  #closed = false;
-  #rest: ReturnType<typeof setTimeout> | undefined;
+  #isClosed = false;
+  #releaseTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(core: Playground, parts: LateParts<Session>, thread: Thread) {
     this.#core = core;
@@ -151,78 +151,78 @@ export class Session implements Waiter {
     this.#thread = thread;
   }
 
-  hear(message: Command | Question): void {
-    this.guarded(() => this.#receive(message));
+  receive(message: Command | Question): void {
+    this.runGuarded(() => this.#handle(message));
   }
 
   /** Runs the slice that `queue` has requested. */
   nextSlice(): void {
     this.#sliceQueued = false;
-    this.guarded(() => this.#slice());
+    this.runGuarded(() => this.#slice());
   }
 
   /** Runs a step; sends `settled` if nothing is left to do afterwards. */
-  guarded(step: () => void): void {
-    this.#thread.guarded(() => {
-      if (this.#closed) return;
+  runGuarded(step: () => void): void {
+    this.#thread.runGuarded(() => {
+      if (this.#isClosed) return;
       step();
       this.#settle();
     });
   }
 
-  partFailed(reason: unknown): void {
-    const isNeeded = this.#stage.kind === 'lacking' || this.#stage.kind === 'waiting' || this.#reportsLate;
-    this.#tell({
+  onPartFailed(reason: unknown): void {
+    const isNeeded = this.#stage.kind === 'blocked' || this.#stage.kind === 'waiting' || this.#reportPending;
+    this.#emit({
       kind: 'part-failed',
       reason: describe(reason),
       neededFor: isNeeded ? 'the-report' : 'something-else',
     });
   }
 
-  partsLoaded(): void {
-    this.#tell({ kind: 'parts-loaded' });
+  onPartsLoaded(): void {
+    this.#emit({ kind: 'parts-loaded' });
   }
 
   /** The element was removed. */
   close(): void {
-    this.#closed = true;
-    clearTimeout(this.#rest);
+    this.#isClosed = true;
+    clearTimeout(this.#releaseTimer);
     this.#stage = { kind: 'done' };
-    this.#parts.leave(this);
-    forget(this.#core);
+    this.#parts.remove(this);
+    dropQuestions(this.#core);
     this.#core.free();
   }
 
-  #receive(message: Command | Question): void {
-    clearTimeout(this.#rest);
-    if (counts(message)) this.#heard++;
+  #handle(message: Command | Question): void {
+    clearTimeout(this.#releaseTimer);
+    if (mayChangeDisplay(message)) this.#receivedCount++;
     if (message.kind === 'question') {
-      this.#ask(message);
+      this.#answer(message);
       return;
     }
     const row = Session.#COMMANDS[message.kind] as CommandRow<Command['kind']>;
-    row.act(this, message);
+    row.execute(this, message);
     // The user may leave the line while its run is in progress.
-    if (this.#typedLine !== undefined && this.#leaves(message, this.#typedLine)) this.#typedLine = undefined;
-    if (this.#keepsOld !== undefined && this.#oldPictureStays(message, this.#keepsOld.line)) return;
-    if (row.draws !== 'no') this.#wantDraw(row.draws);
+    if (this.#typedLine !== undefined && this.#leavesLine(message, this.#typedLine)) this.#typedLine = undefined;
+    if (this.#oldPicture !== undefined && this.#keepsOldPicture(message, this.#oldPicture.line)) return;
+    if (row.draws !== 'no') this.#requestDraw(row.draws);
   }
 
   /**
    * Whether the user has left the line or moved the picture. A resize is not a move: the messages of a new run can
    * cause it.
    */
-  #leaves(message: Command, line: number): boolean {
+  #leavesLine(message: Command, line: number): boolean {
     if (message.kind === 'cursor') return message.offset === undefined || this.#core.lineAt(message.offset) !== line;
-    return message.kind === 'picture' && message.what.kind !== 'resize' && message.what.kind !== 'paint-again';
+    return message.kind === 'picture' && message.command.kind !== 'resize' && message.command.kind !== 'repaint';
   }
 
   /** Whether the old picture stays after this message. */
-  #oldPictureStays(message: Command, line: number): boolean {
+  #keepsOldPicture(message: Command, line: number): boolean {
     switch (message.kind) {
       case 'cursor':
       case 'picture':
-        return this.#leaves(message, line) ? this.#showCurrent() : true;
+        return this.#leavesLine(message, line) ? this.#showCurrent() : true;
       case 'run':
       case 'shown':
       case 'hover':
@@ -236,7 +236,7 @@ export class Session implements Waiter {
       case 'turret':
       case 'mark':
       case 'frame':
-      case 'keep':
+      case 'keep-part':
       case 'end-comparison':
         return this.#showCurrent();
     }
@@ -244,8 +244,8 @@ export class Session implements Waiter {
 
   /** Replaces an old picture by that of the current run. */
   #showCurrent(): false {
-    this.#keepsOld = undefined;
-    this.#wantDraw('now');
+    this.#oldPicture = undefined;
+    this.#requestDraw('now');
     return false;
   }
 
@@ -253,91 +253,94 @@ export class Session implements Waiter {
    * A block that is being typed is often incomplete, and a faulty contour is not cut at all. Then the previous picture
    * is more useful than an empty one: it stays while this run has more errors and fewer motions.
    */
-  #mayKeepOldPicture(): void {
-    this.#keepsOld = undefined;
-    if (this.#typedLine === undefined || this.#pictured === undefined) return;
+  #keepOldPictureIfBetter(): void {
+    this.#oldPicture = undefined;
+    if (this.#typedLine === undefined || this.#lastPicture === undefined) return;
     const [motions = 0, errors = 0] = this.#core.motionsAndErrors();
-    if (motions >= this.#pictured.motions || errors <= this.#pictured.errors) return;
-    this.#keepsOld = { line: this.#typedLine };
-    this.#tell({ kind: 'old-picture', of: this.#pictured.run });
+    if (motions >= this.#lastPicture.motions || errors <= this.#lastPicture.errors) return;
+    this.#oldPicture = { line: this.#typedLine };
+    this.#emit({ kind: 'old-picture', of: this.#lastPicture.run });
   }
 
   static readonly #COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
-    picture: { draws: 'now', act: (session, { picture, what }) => changePicture(session.#core, picture, what) },
-    palette: { draws: 'now', act: (session, { palette }) => session.#core.setPalette(palette) },
+    picture: {
+      draws: 'now',
+      execute: (session, { picture, command }) => changePicture(session.#core, picture, command),
+    },
+    palette: { draws: 'now', execute: (session, { palette }) => session.#core.setPalette(palette) },
     language: {
-      draws: 'when-whole',
-      act(session, { tag }) {
+      draws: 'when-complete',
+      execute(session, { tag }) {
         session.#language = tag;
         session.#core.setLanguage(tag);
-        session.#reportAgain();
+        session.#repeatReport();
       },
     },
     unit: {
-      draws: 'when-whole',
-      act(session, { unit }) {
+      draws: 'when-complete',
+      execute(session, { unit }) {
         session.#core.setUnit(unit ?? '');
-        session.#reportAgain();
+        session.#repeatReport();
       },
     },
-    run: { draws: 'no', act: (session, change) => session.#begin(change) },
+    run: { draws: 'no', execute: (session, change) => session.#startRun(change) },
     shown: {
       draws: 'no',
-      act(session, { dropped }) {
-        session.#onTheWay = false;
+      execute(session, { dropped }) {
+        session.#pictureInFlight = false;
         if (dropped) {
           // Paint again: if nothing has changed since, no other picture would follow the dropped one.
           session.#core.paintAgain();
-          if (session.#keepsOld === undefined) session.#wantDraw('when-whole');
-        } else session.#present();
+          if (session.#oldPicture === undefined) session.#requestDraw('when-complete');
+        } else session.#sendPictures();
       },
     },
-    stop: { draws: 'when-whole', act: (session) => session.#stop() },
-    'load-parts': { draws: 'no', act: (session) => session.#parts.loadAll() },
-    cursor: { draws: 'when-whole', act: (session, { offset }) => session.#core.setCursor(offset) },
-    hover: { draws: 'when-whole', act: (session, { motion }) => session.#core.setHover(motion) },
+    stop: { draws: 'when-complete', execute: (session) => session.#stop() },
+    'load-parts': { draws: 'no', execute: (session) => session.#parts.loadAll() },
+    cursor: { draws: 'when-complete', execute: (session, { offset }) => session.#core.setCursor(offset) },
+    hover: { draws: 'when-complete', execute: (session, { motion }) => session.#core.setHover(motion) },
     mark: {
-      draws: 'when-whole',
-      act: (session, { lines }) =>
+      draws: 'when-complete',
+      execute: (session, { lines }) =>
         session.#core.setMarkedLines(Uint32Array.from(lines.flatMap(({ firstLine, endLine }) => [firstLine, endLine]))),
     },
-    frame: { draws: 'when-whole', act: (session, { frame }) => session.#core.setFrame(frame ?? '') },
+    frame: { draws: 'when-complete', execute: (session, { frame }) => session.#core.setFrame(frame ?? '') },
     turret: {
       draws: 'now',
-      act(session, { side }) {
+      execute(session, { side }) {
         session.#core.setTurret(side ?? '');
-        session.#tellViews();
+        session.#emitViews();
       },
     },
-    keep: {
-      draws: 'when-whole',
-      act: (session) =>
-        session.#whenWhole(() => {
+    'keep-part': {
+      draws: 'when-complete',
+      execute: (session) =>
+        session.#whenComplete(() => {
           session.#core.keep();
-          session.#tellViews();
+          session.#emitViews();
         }),
     },
     'end-comparison': {
-      draws: 'when-whole',
-      act(session) {
+      draws: 'when-complete',
+      execute(session) {
         session.#core.endComparison();
-        session.#tellViews();
+        session.#emitViews();
       },
     },
-    'leave-edge': { draws: 'when-whole', act: (session) => session.#core.leaveEdge() },
+    'leave-edge': { draws: 'when-complete', execute: (session) => session.#core.leaveEdge() },
   };
 
   /** Sends the last report again, in another language or unit. */
-  #reportAgain(): void {
-    if (this.#isTold()) this.#report('again');
+  #repeatReport(): void {
+    if (this.#isReported()) this.#report('repeated');
   }
 
-  #tellViews(): void {
+  #emitViews(): void {
     // Before the first run there is nothing to show, and the part that reports it may not be loaded.
-    if (this.#stage.kind === 'done' && this.#run > 0) this.#tell({ kind: 'views', views: viewsState(this.#core) });
+    if (this.#stage.kind === 'done' && this.#run > 0) this.#emit({ kind: 'views', views: viewsState(this.#core) });
   }
 
-  #ask(question: Question): void {
+  #answer(question: Question): void {
     const row = ANSWERS[question.about] as AnswerRow<QuestionKind>;
     const needs = (): readonly PartName[] => {
       if (row.needs === undefined) return [];
@@ -348,66 +351,66 @@ export class Session implements Waiter {
         ...row.needs.map((part) => (part === 'language' ? this.#language : part)),
       ];
     };
-    const now = (): void => {
-      if (!this.#isLoaded(needs())) return this.#whenLoaded(needs(), now);
+    const answer = (): void => {
+      if (!this.#isLoaded(needs())) return this.#whenLoaded(needs(), answer);
       // The strokes of this run are not in the old picture, so the pointer is over none of them.
-      if (this.#keepsOld !== undefined && OF_THE_PICTURE.has(question.about))
+      if (this.#oldPicture !== undefined && PICTURE_QUESTIONS.has(question.about))
         return void this.#reply(question.id, undefined);
-      if (this.#keepsOld !== undefined && row.draws !== undefined) this.#showCurrent();
-      void this.#reply(question.id, row.answer(this.#core, question.ask));
-      if (row.draws !== undefined) this.#wantDraw(row.draws);
+      if (this.#oldPicture !== undefined && row.draws !== undefined) this.#showCurrent();
+      void this.#reply(question.id, row.answer(this.#core, question.args));
+      if (row.draws !== undefined) this.#requestDraw(row.draws);
     };
-    if (row.waits === undefined) now();
-    else this.#whenWhole(now);
+    if (row.waitsFor === undefined) answer();
+    else this.#whenComplete(answer);
   }
 
   #isLoaded(needs: readonly PartName[]): boolean {
     return this.#parts.has(...needs);
   }
 
-  #whenLoaded(needs: readonly PartName[], act: () => void): void {
-    this.#parts.whenLoaded(this, needs, act);
+  #whenLoaded(needs: readonly PartName[], callback: () => void): void {
+    this.#parts.whenLoaded(this, needs, callback);
   }
 
-  #whenWhole(act: () => void): void {
-    if (this.#stage.kind === 'done') act();
-    else this.#onceWhole.push(act);
+  #whenComplete(callback: () => void): void {
+    if (this.#stage.kind === 'done') callback();
+    else this.#completionCallbacks.push(callback);
   }
 
   /** Sends an answer. A synchronous one is sent immediately, so that answers keep the order of their questions. */
   #reply(id: number, answer: unknown): void | Promise<void> {
-    if (!(answer instanceof Promise)) return this.#tell({ kind: 'answer', id, answer });
-    return answer.then((late: unknown) => this.#tell({ kind: 'answer', id, answer: late }));
+    if (!(answer instanceof Promise)) return this.#emit({ kind: 'answer', id, answer });
+    return answer.then((resolved: unknown) => this.#emit({ kind: 'answer', id, answer: resolved }));
   }
 
   // ---- from one run to the next ---------------------------------------------------------------------
 
-  #begin(change: BeginRun): void {
+  #startRun(change: BeginRun): void {
     this.#run = change.run;
     // Needed here, because a rejected setup does not start another run, and the tool would stay.
     this.#core.showWhole();
     if (change.framing === 'fit') fitAll(this.#core);
     this.#typedLine = undefined;
     if (change.setup !== undefined) this.#changeSetup(change.setup);
-    if (change.text !== undefined) this.#changeText(change.text, change.came);
+    if (change.text !== undefined) this.#changeText(change.text, change.changeSource);
     this.#tryValues(change.tried);
     this.#core.setCursor(change.cursor);
-    this.#typedLine = this.#lineTyped(change);
+    this.#typedLine = this.#findTypedLine(change);
     // A run in progress can only be drawn in part: keep the old picture until it is complete.
-    this.#drawing = false;
-    this.#drawWanted = 'no';
+    this.#isDrawing = false;
+    this.#drawRequest = 'no';
     const missing = this.#missingPart();
-    if (missing === undefined) this.#advanceSoon();
-    else this.#waitFor(missing);
+    if (missing === undefined) this.#scheduleAdvance();
+    else this.#waitForPart(missing);
   }
 
   /** The line that the user is typing in, if the run has a single typed change in the line of the cursor. */
-  #lineTyped({ setup, text, came, framing, cursor }: BeginRun): number | undefined {
+  #findTypedLine({ setup, text, changeSource, framing, cursor }: BeginRun): number | undefined {
     if (
       setup !== undefined ||
       text?.kind !== 'edit' ||
       text.changes.length !== 1 ||
-      came !== 'typed' ||
+      changeSource !== 'typed' ||
       framing === 'fit' ||
       cursor === undefined
     )
@@ -419,30 +422,30 @@ export class Session implements Waiter {
 
   /** The part that the run needs and that is not loaded yet, if any. */
   #missingPart(): PartName | undefined {
-    const missing = this.#unreadSetup === undefined ? (this.#core.missingPart() as PartName | undefined) : 'early';
+    const missing = this.#pendingSetup === undefined ? (this.#core.missingPart() as PartName | undefined) : 'early';
     return missing === undefined || this.#isLoaded([missing]) ? undefined : missing;
   }
 
   /** Suspends the run until a part is loaded; it is loaded even before the first picture. */
-  #waitFor(missing: PartName): void {
-    this.#stage = { kind: 'lacking' };
+  #waitForPart(missing: PartName): void {
+    this.#stage = { kind: 'blocked' };
     this.#whenLoaded([missing], () => {
-      if (this.#stage.kind === 'lacking') this.#goOn();
+      if (this.#stage.kind === 'blocked') this.#continueRun();
     });
     this.#parts.load(missing);
     this.#queueSlice();
   }
 
-  #advanceSoon(): void {
+  #scheduleAdvance(): void {
     const now = performance.now();
     this.#stage = { kind: 'running', startedAt: now, lastProgressAt: now };
     this.#queueSlice();
   }
 
   #changeSetup(json: string): void {
-    this.#unreadSetup = undefined;
-    if (json !== NO_SETUP && !this.#isLoaded(['early'])) {
-      this.#unreadSetup = json;
+    this.#pendingSetup = undefined;
+    if (json !== EMPTY_SETUP && !this.#isLoaded(['early'])) {
+      this.#pendingSetup = json;
       return;
     }
     try {
@@ -465,43 +468,45 @@ export class Session implements Waiter {
     );
   }
 
-  #changeText(text: TextCommand, came: Came): void {
+  #changeText(text: TextCommand, changeSource: ChangeSource): void {
     if (text.kind === 'edit') {
       for (const change of text.changes) this.#edit(change);
-      if (came === 'at-once') this.#core.decideDecimalRule();
+      if (changeSource === 'inserted') this.#core.decideDecimalRule();
     } else {
-      handIn(this.#core, text.pieces);
-      this.#lookForSwitches();
+      copyText(this.#core, text.pieces);
+      this.#startSwitchSearch();
     }
   }
 
   #edit({ from, to, insert }: TextChange): void {
     // The edit may move lines that were not searched yet: then search the whole text again.
-    const anew = this.#looking !== undefined || to - from > LOOK_LIMIT || insert.length > LOOK_LIMIT;
-    const touched = (end: number): string =>
+    const searchAll =
+      this.#switchSearch !== undefined || to - from > FULL_SEARCH_ABOVE || insert.length > FULL_SEARCH_ABOVE;
+    const changedLines = (end: number): string =>
       this.#core.linesAsWritten(this.#core.lineAt(from), this.#core.lineAt(end) + 1);
-    const before = anew ? '' : touched(to);
+    const oldLines = searchAll ? '' : changedLines(to);
     this.#core.edit(from, to, insert);
-    if (anew || mayTellOfSwitches(before) || mayTellOfSwitches(touched(from + insert.length))) this.#lookForSwitches();
+    if (searchAll || mayContainSwitches(oldLines) || mayContainSwitches(changedLines(from + insert.length)))
+      this.#startSwitchSearch();
   }
 
-  #lookForSwitches(): void {
+  #startSwitchSearch(): void {
     this.#switches = undefined;
-    this.#looking = { finder: new SwitchFinder(), nextLine: 0 };
+    this.#switchSearch = { finder: new SwitchFinder(), nextLine: 0 };
   }
 
   /** Searches the next lines; a short text is searched in one go. */
-  #lookOn(): void {
-    if (this.#looking === undefined) return;
-    const { finder, nextLine } = this.#looking;
-    const lines = this.#core.linesAsWritten(nextLine, nextLine + LINES_PER_LOOK);
-    finder.look(lines);
-    this.#looking.nextLine += LINES_PER_LOOK;
-    if (this.#core.linesAsWritten(this.#looking.nextLine, this.#looking.nextLine + 1) !== '') return;
-    this.#looking = undefined;
+  #searchMoreLines(): void {
+    if (this.#switchSearch === undefined) return;
+    const { finder, nextLine } = this.#switchSearch;
+    const lines = this.#core.linesAsWritten(nextLine, nextLine + LINES_PER_SLICE);
+    finder.search(lines);
+    this.#switchSearch.nextLine += LINES_PER_SLICE;
+    if (this.#core.linesAsWritten(this.#switchSearch.nextLine, this.#switchSearch.nextLine + 1) !== '') return;
+    this.#switchSearch = undefined;
     this.#switches = finder.found;
     // A pending report will contain them.
-    if (this.#isTold()) this.#tell({ kind: 'switches', inText: this.#switches });
+    if (this.#isReported()) this.#emit({ kind: 'switches', inText: this.#switches });
   }
 
   // ---- the run --------------------------------------------------------------------------------------
@@ -524,63 +529,63 @@ export class Session implements Waiter {
 
   #slice(): void {
     if (this.#stage.kind === 'running') this.#advance(this.#stage);
-    else if (this.#drawing) this.#draw();
+    else if (this.#isDrawing) this.#draw();
     else if (this.#stage.kind === 'machining') this.#removeMaterial(this.#stage);
-    else this.#lookOn();
+    else this.#searchMoreLines();
     if (
       this.#stage.kind === 'running' ||
       this.#stage.kind === 'machining' ||
-      this.#drawing ||
-      this.#looking !== undefined
+      this.#isDrawing ||
+      this.#switchSearch !== undefined
     )
       this.#queueSlice();
   }
 
-  #advance(going: Going): void {
+  #advance(timed: Timed): void {
     const ended = this.#core.advance(BLOCKS_PER_SLICE);
     const now = performance.now();
     if (ended) this.#end();
-    else if (now - going.startedAt > RUN_LIMIT_MS) this.#stop();
-    else this.#tellProgress(going, 'run', () => this.#core.progress());
+    else if (now - timed.startedAt > RUN_LIMIT_MS) this.#stop();
+    else this.#emitProgress(timed, 'run', () => this.#core.progress());
   }
 
-  #tellProgress(going: Going, work: Work, done: () => number): void {
+  #emitProgress(timed: Timed, work: Work, done: () => number): void {
     const now = performance.now();
-    if (now - going.startedAt <= PROGRESS_AFTER_MS || now - going.lastProgressAt <= PROGRESS_EVERY_MS) return;
-    going.lastProgressAt = now;
-    this.#tell({ kind: 'progress', work, done: done() });
+    if (now - timed.startedAt <= PROGRESS_AFTER_MS || now - timed.lastProgressAt <= PROGRESS_EVERY_MS) return;
+    timed.lastProgressAt = now;
+    this.#emit({ kind: 'progress', work, done: done() });
   }
 
   #end(): void {
-    this.#lookOn();
+    this.#searchMoreLines();
     const missing = this.#missingPart();
-    if (missing !== undefined) return this.#waitFor(missing);
-    if (this.#isLoaded(['late', this.#language]) || this.#core.missingPart() !== undefined) return this.#goOn();
-    this.#keepsOld = undefined;
+    if (missing !== undefined) return this.#waitForPart(missing);
+    if (this.#isLoaded(['late', this.#language]) || this.#core.missingPart() !== undefined) return this.#continueRun();
+    this.#oldPicture = undefined;
     this.#stage = { kind: 'waiting' };
-    this.#tell({ kind: 'path', summary: this.#core.summary() });
-    this.#wantDraw('now');
+    this.#emit({ kind: 'path', summary: this.#core.summary() });
+    this.#requestDraw('now');
     setTimeout(() => this.#parts.release(), LOAD_PARTS_AFTER_MS);
     this.#whenLoaded(['late', this.#language], () => {
-      if (this.#stage.kind === 'waiting') this.#goOn();
+      if (this.#stage.kind === 'waiting') this.#continueRun();
     });
   }
 
   /** Runs again if parts were loaded for it; otherwise continues after the path. */
-  #goOn(): void {
-    const setup = this.#unreadSetup;
+  #continueRun(): void {
+    const setup = this.#pendingSetup;
     if (setup !== undefined) this.#changeSetup(setup);
-    if (this.#core.beginAgain() || setup !== undefined) this.#advanceSoon();
-    else this.#toMachine();
+    if (this.#core.beginAgain() || setup !== undefined) this.#scheduleAdvance();
+    else this.#startMachining();
   }
 
-  #toMachine(): void {
+  #startMachining(): void {
     const now = performance.now();
-    this.#mayKeepOldPicture();
+    this.#keepOldPictureIfBetter();
     const machining: Stage & { kind: 'machining' } = {
       kind: 'machining',
-      pathTold: false,
-      pathShown: false,
+      pathReported: false,
+      pathDrawn: false,
       startedAt: now,
       lastProgressAt: now,
     };
@@ -590,51 +595,51 @@ export class Session implements Waiter {
 
   /** Removes more material. Part and collisions are complete when all of it is removed. */
   #removeMaterial(machining: Stage & { kind: 'machining' }): void {
-    const enough = performance.now() + WAIT_FOR_PART_MS;
+    const deadline = performance.now() + WAIT_FOR_PART_MS;
     let done = false;
     do done = this.#core.removeMaterial(MOTIONS_PER_SLICE);
-    while (!done && performance.now() < enough);
+    while (!done && performance.now() < deadline);
     if (done) {
       this.#stage = { kind: 'done' };
-      for (const late of this.#onceWhole.splice(0)) late();
-      this.#report(machining.pathTold ? 'part' : 'whole');
-      if (this.#keepsOld === undefined) this.#wantDraw('now');
+      for (const callback of this.#completionCallbacks.splice(0)) callback();
+      this.#report(machining.pathReported ? 'part' : 'whole');
+      if (this.#oldPicture === undefined) this.#requestDraw('now');
       return;
     }
     // If the part takes longer than `WAIT_FOR_PART_MS`, report the path first.
-    if (!machining.pathTold) {
-      machining.pathTold = true;
+    if (!machining.pathReported) {
+      machining.pathReported = true;
       this.#report('path');
     }
     if (
-      this.#keepsOld === undefined &&
-      !machining.pathShown &&
+      this.#oldPicture === undefined &&
+      !machining.pathDrawn &&
       performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS
     )
-      this.#wantDraw('now');
-    this.#tellProgress(machining, 'part', () => this.#core.machiningProgress());
+      this.#requestDraw('now');
+    this.#emitProgress(machining, 'part', () => this.#core.machiningProgress());
     this.#queueSlice();
   }
 
   /** Whether the current run was reported. */
-  #isTold(): boolean {
-    return this.#stage.kind === 'done' ? this.#run > 0 : this.#stage.kind === 'machining' && this.#stage.pathTold;
+  #isReported(): boolean {
+    return this.#stage.kind === 'done' ? this.#run > 0 : this.#stage.kind === 'machining' && this.#stage.pathReported;
   }
 
   /** Reports the run once the texts of the language are loaded, which may have changed during the run. */
-  #report(told: Report['stage']): void {
+  #report(stage: Report['stage']): void {
     const needs = ['late', this.#language] as const;
-    if (this.#isLoaded(needs)) return this.#tellReport(told);
+    if (this.#isLoaded(needs)) return this.#emitReport(stage);
     const run = this.#run;
-    this.#reportsLate = true;
+    this.#reportPending = true;
     this.#whenLoaded(needs, () => {
-      this.#reportsLate = false;
-      if (run === this.#run && this.#isTold()) this.#report(told);
+      this.#reportPending = false;
+      if (run === this.#run && this.#isReported()) this.#report(stage);
     });
   }
 
-  #tellReport(told: Report['stage']): void {
-    this.#tell({
+  #emitReport(stage: Report['stage']): void {
+    this.#emit({
       kind: 'report',
       report: {
         summary: this.#core.summary(),
@@ -644,7 +649,7 @@ export class Session implements Waiter {
         rulesOff: this.#core.rulesOff(),
         units: this.#core.units(),
         decimal: this.#core.decimalNotice(),
-        stage: told,
+        stage,
         setupRejected: this.#setupRejected,
         views: this.#stage.kind === 'done' ? viewsState(this.#core) : undefined,
         switches: this.#switches,
@@ -654,73 +659,73 @@ export class Session implements Waiter {
 
   // ---- the rest -------------------------------------------------------------------------------------
 
-  #wantDraw(how: Exclude<Wanted, 'no'>): void {
-    if (this.#drawWanted !== 'now') this.#drawWanted = how;
-    if (this.#frameAsked) return;
-    this.#frameAsked = true;
+  #requestDraw(request: Exclude<DrawRequest, 'no'>): void {
+    if (this.#drawRequest !== 'now') this.#drawRequest = request;
+    if (this.#frameRequested) return;
+    this.#frameRequested = true;
     requestAnimationFrame(() => {
-      this.#frameAsked = false;
-      const wanted = this.#drawWanted;
-      this.#drawWanted = 'no';
+      this.#frameRequested = false;
+      const pendingRequest = this.#drawRequest;
+      this.#drawRequest = 'no';
       const ready =
         this.#stage.kind === 'done' ||
         this.#stage.kind === 'waiting' ||
-        (this.#stage.kind === 'machining' && this.#stage.pathShown);
-      this.guarded(() => {
-        if (this.#stage.kind === 'lacking') this.#drawWanted = wanted;
-        else if (wanted === 'now' || (wanted === 'when-whole' && ready)) this.#draw();
+        (this.#stage.kind === 'machining' && this.#stage.pathDrawn);
+      this.runGuarded(() => {
+        if (this.#stage.kind === 'blocked') this.#drawRequest = pendingRequest;
+        else if (pendingRequest === 'now' || (pendingRequest === 'when-complete' && ready)) this.#draw();
       });
     });
   }
 
   #draw(): void {
-    if (this.#stage.kind === 'machining') this.#stage.pathShown = true;
+    if (this.#stage.kind === 'machining') this.#stage.pathDrawn = true;
     const drawn = drawAll(this.#core);
-    this.#drawing = drawn === Drawn.Part;
+    this.#isDrawing = drawn === Drawn.Part;
     if (this.#stage.kind !== 'running') {
       const [motions = 0, errors = 0] = this.#core.motionsAndErrors();
-      this.#pictured = { run: this.#run, motions, errors };
+      this.#lastPicture = { run: this.#run, motions, errors };
     }
-    if (this.#drawing) this.#queueSlice();
-    if (drawn === Drawn.Moved) this.#wantDraw('now');
-    this.#present();
+    if (this.#isDrawing) this.#queueSlice();
+    if (drawn === Drawn.Moved) this.#requestDraw('now');
+    this.#sendPictures();
   }
 
   /** Sends the painted images, unless the page has not shown the last ones yet. */
-  #present(): void {
-    if (this.#onTheWay) return;
+  #sendPictures(): void {
+    if (this.#pictureInFlight) return;
     const pictures = takePictures(this.#core);
     if (pictures === undefined) return;
-    this.#onTheWay = true;
-    this.#tell({ kind: 'pictures', pictures }, Object.values(pictures));
+    this.#pictureInFlight = true;
+    this.#emit({ kind: 'pictures', pictures }, Object.values(pictures));
     this.#parts.release();
   }
 
   /** Sends an event with the number of the run. */
-  #tell(event: RunEvent, images: ImageBitmap[] = []): void {
-    if (!this.#closed) this.#thread.tell({ ...event, run: this.#run }, images);
+  #emit(event: RunEvent, images: ImageBitmap[] = []): void {
+    if (!this.#isClosed) this.#thread.emit({ ...event, run: this.#run }, images);
   }
 
   /** Sends `settled` if nothing is left to do and the page has shown all pictures. */
   #settle(): void {
-    const waits = this.#stage.kind === 'waiting' || this.#stage.kind === 'lacking';
-    const atWork = waits ? !this.#parts.failed : this.#stage.kind !== 'done';
+    const isWaiting = this.#stage.kind === 'waiting' || this.#stage.kind === 'blocked';
+    const isRunning = isWaiting ? !this.#parts.failed : this.#stage.kind !== 'done';
     const busy =
-      atWork ||
-      (this.#reportsLate && !this.#parts.failed) ||
-      this.#drawing ||
-      (this.#drawWanted !== 'no' && this.#stage.kind !== 'lacking') ||
-      this.#onTheWay ||
-      this.#looking !== undefined;
-    if (busy || this.#settledAt === this.#heard) return;
-    this.#settledAt = this.#heard;
-    this.#tell({ kind: 'settled', heard: this.#heard });
-    this.#rest = setTimeout(() => this.guarded(() => this.#restNow()), REST_AFTER_MS);
+      isRunning ||
+      (this.#reportPending && !this.#parts.failed) ||
+      this.#isDrawing ||
+      (this.#drawRequest !== 'no' && this.#stage.kind !== 'blocked') ||
+      this.#pictureInFlight ||
+      this.#switchSearch !== undefined;
+    if (busy || this.#settledAt === this.#receivedCount) return;
+    this.#settledAt = this.#receivedCount;
+    this.#emit({ kind: 'settled', received: this.#receivedCount });
+    this.#releaseTimer = setTimeout(() => this.runGuarded(() => this.#releaseImages()), RELEASE_IMAGES_AFTER_MS);
   }
 
-  #restNow(): void {
+  #releaseImages(): void {
     const [motions = 0] = this.#core.motionsAndErrors();
-    if (motions <= MOST_TO_PAINT_AT_ONCE) this.#core.releaseImages();
+    if (motions <= MAX_MOTIONS_TO_REPAINT) this.#core.releaseImages();
   }
 }
 

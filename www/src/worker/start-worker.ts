@@ -22,91 +22,91 @@ interface ScriptPolicy {
 declare const trustedTypes: { createPolicy(name: string, rules: ScriptPolicy): ScriptPolicy } | undefined;
 
 /** Blob URLs of fetched scripts: one request for all workers of a page. */
-const inMemory = new Map<string, Promise<string>>();
+const blobUrls = new Map<string, Promise<string>>();
 /** Scripts that could not be started: the browser's cache may contain a faulty copy. */
 const failedBefore = new Set<string>();
 
 export function startWorker<Event>(
   script: string,
-  heard: (event: Event) => void,
-  failed: (reason: string) => void,
+  onMessage: (event: Event) => void,
+  onFailure: (reason: string) => void,
 ): StartedWorker {
   let worker: Worker | undefined;
   /** Messages to repeat if the worker is started again; undefined after its first answer. */
-  let said: unknown[] | undefined = [];
-  let ended = false;
+  let unconfirmed: unknown[] | undefined = [];
+  let isEnded = false;
   const fail = (reason: unknown): void => {
-    if (!ended) failed(reason instanceof Error ? reason.message : String(reason));
+    if (!isEnded) onFailure(reason instanceof Error ? reason.message : String(reason));
   };
-  const started = (begun: Worker, closed: (reason: string) => void): void => {
-    if (ended) {
-      begun.terminate();
+  const attach = (newWorker: Worker, onError: (reason: string) => void): void => {
+    if (isEnded) {
+      newWorker.terminate();
       return;
     }
-    worker = begun;
-    begun.onmessage = ({ data }: MessageEvent<Event>) => {
-      said = undefined;
-      heard(data);
+    worker = newWorker;
+    newWorker.onmessage = ({ data }: MessageEvent<Event>) => {
+      unconfirmed = undefined;
+      onMessage(data);
     };
-    begun.onerror = (error) => {
-      if (said === undefined) fail(error.message || 'the worker has failed');
-      else closed(error.message || `the worker ${script} could not be started`);
+    newWorker.onerror = (error) => {
+      if (unconfirmed === undefined) fail(error.message || 'the worker has failed');
+      else onError(error.message || `the worker ${script} could not be started`);
     };
-    for (const message of said ?? []) begun.postMessage(message);
+    for (const message of unconfirmed ?? []) newWorker.postMessage(message);
   };
-  const notStarted = (reason: unknown): void => {
-    inMemory.delete(script);
+  const failToStart = (reason: unknown): void => {
+    blobUrls.delete(script);
     failedBefore.add(script);
     fail(reason);
   };
-  const fromMemory = (): void =>
-    void fetched(script)
-      .then((copy) => started(begin(copy), notStarted))
-      .catch(notStarted);
-  const direct = (): void => {
+  const startFromMemory = (): void =>
+    void fetchScript(script)
+      .then((copy) => attach(createWorker(copy), failToStart))
+      .catch(failToStart);
+  const startDirectly = (): void => {
     try {
       // Some browsers throw if they reject the script, others report it later.
-      started(begin(script), () => {
+      attach(createWorker(script), () => {
         worker?.terminate();
         worker = undefined;
-        fromMemory();
+        startFromMemory();
       });
     } catch {
-      fromMemory();
+      startFromMemory();
     }
   };
   // Fetching the script again also updates the browser's cache.
-  if (failedBefore.has(script)) void fetched(script).then(direct, notStarted);
-  else direct();
+  if (failedBefore.has(script)) void fetchScript(script).then(startDirectly, failToStart);
+  else startDirectly();
   return {
     post(message) {
-      said?.push(message);
+      unconfirmed?.push(message);
       worker?.postMessage(message);
     },
     end() {
-      ended = true;
+      isEnded = true;
       worker?.terminate();
     },
   };
 }
 
-function begin(address: string): Worker {
+function createWorker(address: string): Worker {
   // Imports exist only in the development server.
-  return new Worker(trusted(address), import.meta.env.DEV ? { type: 'module' } : undefined);
+  return new Worker(trustedUrl(address), import.meta.env.DEV ? { type: 'module' } : undefined);
 }
 
-function trusted(address: string): string {
+function trustedUrl(address: string): string {
   if (typeof trustedTypes === 'undefined') return address;
-  policy ??= trustedTypes.createPolicy(POLICY, { createScriptURL: (own) => own });
+  policy ??= trustedTypes.createPolicy(POLICY, { createScriptURL: (url) => url });
   // `Worker` accepts a `TrustedScriptURL`, but its type does not declare it.
   return policy.createScriptURL(address) as string;
 }
 
-function fetched(script: string): Promise<string> {
-  const known = inMemory.get(script);
-  if (known !== undefined) return known;
+function fetchScript(script: string): Promise<string> {
+  const existing = blobUrls.get(script);
+  if (existing !== undefined) return existing;
   const copy = load(script);
-  inMemory.set(script, copy);
+  blobUrls.set(script, copy);
   return copy;
 }
 

@@ -5,16 +5,21 @@
 import type { Playground } from '../../pkg/gcode_playground.js';
 import type { Questions } from '../protocol/protocol';
 
-type About = 'play' | 'seek' | 'seek-block' | 'step' | 'go-to' | 'readout';
+type ToolQuestion = 'play' | 'seek' | 'seek-block' | 'step' | 'go-to' | 'readout';
 
 export const toolAnswers: {
-  readonly [K in About]: (core: Playground, ask: Questions[K]['ask']) => Questions[K]['answer'];
+  readonly [K in ToolQuestion]: (core: Playground, args: Questions[K]['args']) => Questions[K]['answer'];
 } = {
-  play(core, { from, seconds, pace, holds }) {
+  play(core, { from, seconds, pace, pauseConditions }) {
     if (from === 'start') core.seek(0);
     const factor = pace.kind === 'times' ? pace.factor : core.animationSeconds() / pace.seconds;
-    const held = core.play(seconds * factor, holds.stops, holds.eachBlock, Uint32Array.from(holds.lines));
-    return { place: core.readout(), held };
+    const heldBy = core.play(
+      seconds * factor,
+      pauseConditions.stops,
+      pauseConditions.eachBlock,
+      Uint32Array.from(pauseConditions.lines),
+    );
+    return { place: core.readout(), heldBy };
   },
   seek(core, { share }) {
     if (share === undefined) core.showWhole();

@@ -15,19 +15,19 @@ let files: PartFiles | undefined;
 let parts: LateParts<Session> | undefined;
 const sessions = new Map<number, Session>();
 /** Messages that arrived before the interpreter was loaded. */
-const early: Exclude<ToWorker, { readonly kind: 'files' | 'core' | 'ping' }>[] = [];
+const queuedMessages: Exclude<ToWorker, { readonly kind: 'files' | 'core' | 'ping' }>[] = [];
 /** Schedules slices of sessions after the messages that have arrived by then. */
 const slices = new MessageChannel();
 /** The session that was last reported to the page as active. */
-let atWork: number | undefined;
+let activeSession: number | undefined;
 let hasCrashed = false;
 
 self.onmessage = ({ data: message }: MessageEvent<ToWorker>) => {
   if (message.kind === 'files') files = message.files;
   else if (message.kind === 'core') void load(message.module);
   else if (message.kind === 'ping') post({ kind: 'pong' });
-  else if (parts === undefined) hearEarly(message);
-  else hear(message, parts);
+  else if (parts === undefined) queueEarly(message);
+  else receive(message, parts);
 };
 slices.port1.onmessage = ({ data }: MessageEvent<number>) => sessions.get(data)?.nextSlice();
 
@@ -40,16 +40,16 @@ async function load(module: WebAssembly.Module): Promise<void> {
     return;
   }
   post({ kind: 'ready' });
-  for (const message of early.splice(0)) hear(message, parts);
+  for (const message of queuedMessages.splice(0)) receive(message, parts);
 }
 
 /** Queues a message; fetches the part `early` in parallel with the interpreter if the message needs it. */
-function hearEarly(message: (typeof early)[number]): void {
-  early.push(message);
-  if (message.kind === 'say' && files !== undefined && mayNeedSetup(message.what)) fetchPart(files.early);
+function queueEarly(message: (typeof queuedMessages)[number]): void {
+  queuedMessages.push(message);
+  if (message.kind === 'to-session' && files !== undefined && mayNeedSetup(message.content)) fetchPart(files.early);
 }
 
-function hear(message: (typeof early)[number], late: LateParts<Session>): void {
+function receive(message: (typeof queuedMessages)[number], lateParts: LateParts<Session>): void {
   if (hasCrashed) return;
   const { session } = message;
   if (message.kind === 'close') {
@@ -57,18 +57,18 @@ function hear(message: (typeof early)[number], late: LateParts<Session>): void {
     sessions.delete(session);
     return;
   }
-  (sessions.get(session) ?? open(session, late)).hear(message.what);
+  (sessions.get(session) ?? openSession(session, lateParts)).receive(message.content);
 }
 
-function open(id: number, late: LateParts<Session>): Session {
-  const session = new Session(new Playground(), late, {
+function openSession(id: number, lateParts: LateParts<Session>): Session {
+  const session = new Session(new Playground(), lateParts, {
     queue: () => slices.port2.postMessage(id),
-    tell: (event: SessionEvent, images) => post({ kind: 'event', session: id, event }, images),
-    guarded(step) {
+    emit: (event: SessionEvent, images) => post({ kind: 'event', session: id, event }, images),
+    runGuarded(step) {
       if (hasCrashed || sessions.get(id) !== session) return;
-      if (atWork !== id) {
-        atWork = id;
-        post({ kind: 'at-work', session: id });
+      if (activeSession !== id) {
+        activeSession = id;
+        post({ kind: 'active', session: id });
       }
       try {
         step();

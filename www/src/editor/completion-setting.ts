@@ -2,15 +2,15 @@
 // ignored.
 
 const KEY = 'gcode-playground:completes';
-let chosen: boolean | undefined;
+let enabled: boolean | undefined;
 
-export function completes(): boolean {
-  chosen ??= kept() !== 'off';
-  return chosen;
+export function isCompletionEnabled(): boolean {
+  enabled ??= stored() !== 'off';
+  return enabled;
 }
 
-export function setCompletes(on: boolean): void {
-  chosen = on;
+export function setCompletionEnabled(on: boolean): void {
+  enabled = on;
   try {
     localStorage.setItem(KEY, on ? 'on' : 'off');
   } catch {
@@ -18,7 +18,7 @@ export function setCompletes(on: boolean): void {
   }
 }
 
-function kept(): string | null {
+function stored(): string | null {
   try {
     return localStorage.getItem(KEY);
   } catch {

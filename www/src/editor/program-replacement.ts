@@ -7,7 +7,7 @@
 // program; nor does the first text in an empty editor. Must not know: G-code.
 
 /** Only this many UTF-16 units of both texts are compared. */
-const LOOKED_AT = 200_000;
+const MAX_COMPARED_LENGTH = 200_000;
 
 /** A range of the old text that the change removes. */
 export interface Removed {
@@ -16,22 +16,22 @@ export interface Removed {
 }
 
 export function isAnotherProgram(before: string, after: string, removed: readonly Removed[]): boolean {
-  const [old, now] = [before.slice(0, LOOKED_AT), after.slice(0, LOOKED_AT)];
+  const [old, now] = [before.slice(0, MAX_COMPARED_LENGTH), after.slice(0, MAX_COMPARED_LENGTH)];
   const all = weight(old);
   if (all === 0) return false;
-  const gone = removed.map(({ from, to }) => old.slice(from, to));
-  const untouched = all - gone.reduce((sum, piece) => sum + weight(piece), 0);
-  if (2 * untouched >= all || (untouched > 0 && gone.every((piece) => !piece.includes('\n')))) return false;
-  const left = Math.max(untouched, weightInCommon(old, now));
-  return 2 * left < all && (2 * left < weight(now) || weight(now) === 0);
+  const removedTexts = removed.map(({ from, to }) => old.slice(from, to));
+  const untouched = all - removedTexts.reduce((sum, piece) => sum + weight(piece), 0);
+  if (2 * untouched >= all || (untouched > 0 && removedTexts.every((piece) => !piece.includes('\n')))) return false;
+  const remaining = Math.max(untouched, commonWeight(old, now));
+  return 2 * remaining < all && (2 * remaining < weight(now) || weight(now) === 0);
 }
 
 /** The number of characters in lines that both texts contain. */
-function weightInCommon(before: string, after: string): number {
+function commonWeight(before: string, after: string): number {
   const lines = new Map<string, number>();
-  for (const line of inLines(before)) lines.set(line, (lines.get(line) ?? 0) + 1);
+  for (const line of normalizedLines(before)) lines.set(line, (lines.get(line) ?? 0) + 1);
   let sum = 0;
-  for (const line of inLines(after)) {
+  for (const line of normalizedLines(after)) {
     const left = lines.get(line) ?? 0;
     if (left === 0) continue;
     lines.set(line, left - 1);
@@ -41,7 +41,7 @@ function weightInCommon(before: string, after: string): number {
 }
 
 /** The lines without blanks and in upper case. */
-function inLines(text: string): readonly string[] {
+function normalizedLines(text: string): readonly string[] {
   return text.split('\n').map((line) => line.replace(/\s+/g, '').toUpperCase());
 }
 

@@ -6,28 +6,28 @@
 import type { Playground } from '../../pkg/gcode_playground.js';
 
 /** A shorter text is passed as a string, which is simpler. */
-const LARGE = 100_000;
+const MIN_BUFFERED_LENGTH = 100_000;
 
 const encoder = new TextEncoder();
 
-export function handIn(playground: Playground, pieces: readonly string[]): void {
-  let left = pieces.reduce((sum, piece) => sum + piece.length, 0);
-  if (left < LARGE) {
+export function copyText(playground: Playground, pieces: readonly string[]): void {
+  let remaining = pieces.reduce((sum, piece) => sum + piece.length, 0);
+  if (remaining < MIN_BUFFERED_LENGTH) {
     playground.setText(pieces.join(''));
     return;
   }
   // Enough if all of it is ASCII, as most programs are.
-  let room = playground.textBuffer(left);
+  let buffer = playground.textBuffer(remaining);
   let written = 0;
   for (const piece of pieces) {
     for (let rest = piece; ; ) {
-      const done = encoder.encodeInto(rest, room.subarray(written));
+      const done = encoder.encodeInto(rest, buffer.subarray(written));
       written += done.written;
-      left -= done.read;
+      remaining -= done.read;
       if (done.read === rest.length) break;
       rest = rest.slice(done.read);
       // A UTF-16 unit takes at most three bytes. The old view is invalid after the buffer has grown.
-      room = playground.textBuffer(written + 3 * left);
+      buffer = playground.textBuffer(written + 3 * remaining);
     }
   }
   playground.setTextFromBuffer(written);

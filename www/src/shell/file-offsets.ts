@@ -10,29 +10,29 @@ import type { Diagnostic, Stroke } from '../protocol/protocol';
 type Place = { readonly from: number; readonly to: number };
 
 /** A stroke that the user has clicked. */
-export function strokeAsGiven(stroke: Stroke, program: Program): Stroke {
-  return placed(
+export function strokeInFile(stroke: Stroke, program: Program): Stroke {
+  return withFileOffsets(
     offsetsInFile(program.lineEnds, () => program.text),
     stroke,
   );
 }
 
 /** The messages of a run, with their fixes. */
-export function diagnosticsAsGiven(diagnostics: readonly Diagnostic[], program: Program): readonly Diagnostic[] {
+export function diagnosticsInFile(diagnostics: readonly Diagnostic[], program: Program): readonly Diagnostic[] {
   if (diagnostics.length === 0) return diagnostics;
   const offset = offsetsInFile(program.lineEnds, () => program.text);
-  const { most } = program.lineEnds;
-  return diagnostics.map((found) =>
-    placed(offset, {
-      ...found,
-      fixes: found.fixes.map((fix) => ({
+  const { usual } = program.lineEnds;
+  return diagnostics.map((diagnostic) =>
+    withFileOffsets(offset, {
+      ...diagnostic,
+      fixes: diagnostic.fixes.map((fix) => ({
         ...fix,
-        edits: fix.edits.map((edit) => placed(offset, { ...edit, text: edit.text.replaceAll('\n', most) })),
+        edits: fix.edits.map((edit) => withFileOffsets(offset, { ...edit, text: edit.text.replaceAll('\n', usual) })),
       })),
     }),
   );
 }
 
-function placed<Row extends Place>(offset: (folded: number) => number, row: Row): Row {
+function withFileOffsets<Row extends Place>(offset: (internalOffset: number) => number, row: Row): Row {
   return { ...row, from: offset(row.from), to: offset(row.to) };
 }

@@ -5,7 +5,7 @@
 
 import type { ProfileKind } from '../protocol/protocol';
 
-interface Kept {
+interface StoredProfiles {
   readonly machine: Readonly<Record<string, string>>;
   readonly tools: Readonly<Record<string, string>>;
   /** Name of the user's default machine for new programs. */
@@ -14,23 +14,23 @@ interface Kept {
 
 const KEY = 'gcode-playground:profiles';
 
-export function profileNames(kind: ProfileKind): readonly string[] {
-  return Object.keys(kept()[kind]).sort((a, b) => a.localeCompare(b));
+export function storedProfileNames(kind: ProfileKind): readonly string[] {
+  return Object.keys(load()[kind]).sort((a, b) => a.localeCompare(b));
 }
 
-export function profile(kind: ProfileKind, name: string): string | undefined {
-  return kept()[kind][name];
+export function storedProfile(kind: ProfileKind, name: string): string | undefined {
+  return load()[kind][name];
 }
 
-export function keepProfile(kind: ProfileKind, name: string, json: string): void {
-  const all = kept();
-  keep({ ...all, [kind]: { ...all[kind], [name]: json } });
+export function saveProfile(kind: ProfileKind, name: string, json: string): void {
+  const all = load();
+  save({ ...all, [kind]: { ...all[kind], [name]: json } });
 }
 
-export function forgetProfile(kind: ProfileKind, name: string): void {
-  const { chosen, ...all } = kept();
-  const others = Object.fromEntries(Object.entries(all[kind]).filter(([own]) => own !== name));
-  keep({
+export function deleteProfile(kind: ProfileKind, name: string): void {
+  const { chosen, ...all } = load();
+  const others = Object.fromEntries(Object.entries(all[kind]).filter(([storedName]) => storedName !== name));
+  save({
     ...all,
     [kind]: others,
     ...(chosen === undefined || (kind === 'machine' && chosen === name) ? {} : { chosen }),
@@ -39,33 +39,37 @@ export function forgetProfile(kind: ProfileKind, name: string): void {
 
 /** The user's default machine for new programs. */
 export function chosenMachine(): { readonly name: string; readonly json: string } | undefined {
-  const { machine, chosen } = kept();
+  const { machine, chosen } = load();
   const json = chosen === undefined ? undefined : machine[chosen];
   return chosen === undefined || json === undefined ? undefined : { name: chosen, json };
 }
 
 export function chooseMachine(name: string | undefined): void {
-  const { chosen: _, ...all } = kept();
-  keep({ ...all, ...(name === undefined ? {} : { chosen: name }) });
+  const { chosen: _, ...all } = load();
+  save({ ...all, ...(name === undefined ? {} : { chosen: name }) });
 }
 
-function kept(): Kept {
-  const none: Kept = { machine: {}, tools: {} };
+function load(): StoredProfiles {
+  const none: StoredProfiles = { machine: {}, tools: {} };
   try {
-    const all = Object(JSON.parse(localStorage.getItem(KEY) ?? '{}')) as Partial<Record<keyof Kept, unknown>>;
+    const all = Object(JSON.parse(localStorage.getItem(KEY) ?? '{}')) as Partial<Record<keyof StoredProfiles, unknown>>;
     const { chosen } = all;
-    return { machine: texts(all.machine), tools: texts(all.tools), ...(typeof chosen === 'string' ? { chosen } : {}) };
+    return {
+      machine: stringsIn(all.machine),
+      tools: stringsIn(all.tools),
+      ...(typeof chosen === 'string' ? { chosen } : {}),
+    };
   } catch {
     return none;
   }
 }
 
-function texts(value: unknown): Record<string, string> {
+function stringsIn(value: unknown): Record<string, string> {
   const entries = Object.entries(Object(value) as Record<string, unknown>);
   return Object.fromEntries(entries.filter((entry): entry is [string, string] => typeof entry[1] === 'string'));
 }
 
-function keep(all: Kept): void {
+function save(all: StoredProfiles): void {
   try {
     localStorage.setItem(KEY, JSON.stringify(all));
   } catch {

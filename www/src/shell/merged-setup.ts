@@ -3,24 +3,24 @@
 // In: the attributes. Out: the setup as JSON. Must not know: the content of a setup, except for the keys that are
 // attributes too.
 
-import type { SwitchesSet } from '../panels/panel';
+import type { SwitchState } from '../panels/panel';
 
 /** The default control. */
-const CONTROL_IF_UNSAID = 'fanuc';
+const DEFAULT_CONTROL = 'fanuc';
 
-export type MergedSetup =
+type MergedSetup =
   | { readonly kind: 'setup'; readonly json: string }
   | { readonly kind: 'unreadable'; readonly reason: string };
 
 /** Attributes that override keys of the setup; null: the setup decides. */
-export interface SetupAttributes {
+interface SetupAttributes {
   readonly control: string | null;
   readonly blockSkip: string | null;
   readonly program: string | null;
 }
 
 /** The `setup` attribute with the values of the other attributes. */
-export function mergedSetup(json: string | null, { control, blockSkip, program }: SetupAttributes): MergedSetup {
+export function mergeSetup(json: string | null, { control, blockSkip, program }: SetupAttributes): MergedSetup {
   if (control === null && blockSkip === null && program === null) return { kind: 'setup', json: json ?? '{}' };
   let setup: unknown;
   try {
@@ -33,7 +33,7 @@ export function mergedSetup(json: string | null, { control, blockSkip, program }
   const merged: Record<string, unknown> = { ...setup };
   const dialect = merged['dialect'];
   // Without any settings, the part of the interpreter that parses setups is not needed.
-  if (control !== null && (dialect !== undefined || control !== CONTROL_IF_UNSAID)) {
+  if (control !== null && (dialect !== undefined || control !== DEFAULT_CONTROL)) {
     merged['dialect'] = { ...(typeof dialect === 'object' ? dialect : {}), control };
   }
   if (blockSkip !== null)
@@ -50,7 +50,7 @@ function numberOrText(text: string): number | string {
   return /^\d+$/.test(text) ? Number(text) : text;
 }
 
-export function switchesSet(merged: MergedSetup): SwitchesSet {
+export function readSwitches(merged: MergedSetup): SwitchState {
   if (merged.kind === 'unreadable') return { blockSkip: [], program: undefined };
   let setup: unknown;
   try {

@@ -11,39 +11,44 @@ import type { GcodePlayground } from '../shell/element';
 import { find } from './find';
 import type { Example } from './gallery';
 import type { LinkedProgram } from './linked';
-import { LONGEST_KEPT, type OwnProgram } from './storage';
+import { MAX_SAVED_LENGTH, type OwnProgram } from './storage';
 import { PAGE_WORDS } from './words';
 
-export type Above =
+type IntroContent =
   | { readonly kind: 'example' | 'restored' }
-  /** The network failed; `again` retries once it is back. */
-  | { readonly kind: 'not-loaded'; readonly again: () => void }
-  | { readonly kind: 'kept'; readonly program: OwnProgram }
+  /** The network failed; `retry` retries once it is back. */
+  | { readonly kind: 'not-loaded'; readonly retry: () => void }
+  | { readonly kind: 'previous'; readonly program: OwnProgram }
   /** The user has edited the program of the link in the address. */
-  | { readonly kind: 'linked'; readonly address: string; readonly linked: LinkedProgram; readonly kept?: OwnProgram };
+  | {
+      readonly kind: 'linked';
+      readonly address: string;
+      readonly linked: LinkedProgram;
+      readonly previous?: OwnProgram;
+    };
 
 /** What the page provides to the lines above the program. */
-interface AboveHost {
+interface IntroHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
   readonly example: Example | undefined;
   /** The number of requests to show a program. */
-  readonly asked: number;
+  readonly requestCount: number;
   /** Saves the current program and shows the original example; the first example if the program is not one. */
-  startAfresh(): void;
+  resetToExample(): void;
   /** Saves the current program and shows the original program of a link. */
-  openAgain(address: string, linked: LinkedProgram): void;
-  bringBack(program: OwnProgram): void;
+  reopenLink(address: string, linked: LinkedProgram): void;
+  restoreProgram(program: OwnProgram): void;
 }
 
-export class AboveProgram {
-  readonly #host: AboveHost;
+export class Intro {
+  readonly #host: IntroHost;
   readonly #element = find('intro');
-  #now: Above = { kind: 'example' };
+  #current: IntroContent = { kind: 'example' };
   /** The values from which the current lines were rendered. */
   #shown: readonly unknown[] = [];
 
-  constructor(host: AboveHost) {
+  constructor(host: IntroHost) {
     this.#host = host;
     host.playground.append(this.#element);
     // When there is little room the element scrolls; make it scrollable by keyboard too.
@@ -53,17 +58,17 @@ export class AboveProgram {
     }).observe(this.#element);
   }
 
-  get now(): Above {
-    return this.#now;
+  get current(): IntroContent {
+    return this.#current;
   }
 
-  show(what: Above): void {
-    this.#now = what;
+  show(content: IntroContent): void {
+    this.#current = content;
     const { playground, language, example } = this.#host;
     const isFile = playground.file !== undefined;
-    const isTooLong = playground.length > LONGEST_KEPT;
+    const isTooLong = playground.length > MAX_SAVED_LENGTH;
     // This runs after each key press; skip the re-render if nothing changed, because it would lay out the whole page.
-    const shown = [what, language, example, isFile, isTooLong];
+    const shown = [content, language, example, isFile, isTooLong];
     if (shown.every((one, i) => one === this.#shown[i])) return;
     this.#shown = shown;
     const texts = PAGE_WORDS[language];
@@ -72,61 +77,65 @@ export class AboveProgram {
       lines.push(make('h2', {}, example.title[language]), make('p', {}, example.shows[language]));
       if (example.added !== undefined) lines.push(make('p', { className: 'added' }, texts.added(example.added)));
     }
-    if (isTooLong) lines.push(make('p', { className: 'kept' }, texts.tooLongToKeep));
-    lines.push(...this.#offers(what));
+    if (isTooLong) lines.push(make('p', { className: 'kept' }, texts.tooLongToSave));
+    lines.push(...this.#offerLines(content));
     this.#element.replaceChildren(...lines);
     this.#element.hidden = lines.length === 0;
   }
 
   /** Offers to restore a replaced program, in addition to the current lines. */
   offer(program: OwnProgram): void {
-    this.show(this.#now.kind === 'linked' ? { ...this.#now, kept: program } : { kind: 'kept', program });
+    this.show(
+      this.#current.kind === 'linked' ? { ...this.#current, previous: program } : { kind: 'previous', program },
+    );
   }
 
   /** Call after a change of the language, the program or its length. */
-  showAgain(): void {
-    this.show(this.#now);
+  refresh(): void {
+    this.show(this.#current);
   }
 
   /** Retries once the network is back, unless the user has opened something else meanwhile. */
-  showNotLoaded(again: () => void): void {
-    const said: Above = { kind: 'not-loaded', again };
-    const { playground, asked } = this.#host;
+  showNotLoaded(retry: () => void): void {
+    const content: IntroContent = { kind: 'not-loaded', retry };
+    const { playground, requestCount } = this.#host;
     const { value } = playground;
-    this.show(said);
+    this.show(content);
     whenOnline(() => {
-      if (this.#now === said && this.#host.asked === asked && playground.value === value) again();
+      if (this.#current === content && this.#host.requestCount === requestCount && playground.value === value) retry();
     });
   }
 
-  #offers(what: Above): HTMLElement[] {
+  #offerLines(content: IntroContent): HTMLElement[] {
     const host = this.#host;
     const texts = PAGE_WORDS[host.language];
-    const bringBack = (program: OwnProgram): HTMLElement =>
-      offer(texts.kept, texts.bringBack, () => host.bringBack(program));
-    switch (what.kind) {
+    const restoreProgram = (program: OwnProgram): HTMLElement =>
+      offerLine(texts.previousProgram, texts.restoreProgram, () => host.restoreProgram(program));
+    switch (content.kind) {
       case 'example':
         return [];
       case 'restored':
         return [
-          offer(texts.restored, host.example === undefined ? texts.firstExample : texts.startAfresh, () =>
-            host.startAfresh(),
+          offerLine(texts.restored, host.example === undefined ? texts.firstExample : texts.resetToExample, () =>
+            host.resetToExample(),
           ),
         ];
       case 'linked': {
-        const asItCame = offer(texts.linked, texts.asLinked, () => host.openAgain(what.address, what.linked));
-        return what.kept === undefined ? [asItCame] : [asItCame, bringBack(what.kept)];
+        const original = offerLine(texts.linked, texts.reopenLink, () =>
+          host.reopenLink(content.address, content.linked),
+        );
+        return content.previous === undefined ? [original] : [original, restoreProgram(content.previous)];
       }
-      case 'kept':
-        return [bringBack(what.program)];
+      case 'previous':
+        return [restoreProgram(content.program)];
       case 'not-loaded':
-        return [offer(texts.exampleNotLoaded, texts.tryAgain, what.again)];
+        return [offerLine(texts.exampleNotLoaded, texts.tryAgain, content.retry)];
     }
   }
 }
 
-function offer(news: string, action: string, accepted: () => void): HTMLElement {
+function offerLine(message: string, action: string, onAccept: () => void): HTMLElement {
   const button = make('button', { type: 'button', className: 'link' }, action);
-  button.addEventListener('click', accepted);
-  return make('p', { className: 'kept' }, `${news} · `, button);
+  button.addEventListener('click', onAccept);
+  return make('p', { className: 'kept' }, `${message} · `, button);
 }

@@ -9,10 +9,10 @@ import type { EditorView } from '@codemirror/view';
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { LineRange } from './holder';
+import type { LineRange } from './text-store';
 
 /** `language` is called for each button. */
-export function folds(language: () => Language): Extension {
+export function initialFolds(language: () => Language): Extension {
   return codeFolding({
     preparePlaceholder({ doc }, { from, to }) {
       const first = doc.lineAt(from);
@@ -29,13 +29,13 @@ export function folds(language: () => Language): Extension {
 }
 
 /** Effects that fold all lines except these, and unfold everything else. */
-export function foldOthers(state: EditorState, shown: readonly LineRange[]): StateEffect<unknown>[] {
+export function foldAllExcept(state: EditorState, shown: readonly LineRange[]): StateEffect<unknown>[] {
   const effects: StateEffect<unknown>[] = [];
   foldedRanges(state).between(0, state.doc.length, (from, to) => void effects.push(unfoldEffect.of({ from, to })));
-  return [...effects, ...others(state.doc, shown).map((range) => foldEffect.of(range))];
+  return [...effects, ...hiddenRanges(state.doc, shown).map((range) => foldEffect.of(range))];
 }
 
-function others(doc: Text, shown: readonly LineRange[]): { readonly from: number; readonly to: number }[] {
+function hiddenRanges(doc: Text, shown: readonly LineRange[]): { readonly from: number; readonly to: number }[] {
   if (shown.length === 0) return [];
   const found: { from: number; to: number }[] = [];
   const fold = (first: number, last: number): void => {

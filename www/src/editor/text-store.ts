@@ -24,8 +24,8 @@ export interface LineRange {
 export type Access = 'editable' | 'readonly';
 
 export interface TextEvents {
-  changed(): void;
-  fileChanged(): void;
+  onTextChanged(): void;
+  onFileChanged(): void;
 }
 
 /** How the program is run, and its origin. */
@@ -39,38 +39,38 @@ export interface ProgramContext {
   readonly origin: string | null;
 }
 
-export interface ContextEvents {
+export interface ContextSource {
   /** The current context. */
   context(): ProgramContext;
   /** The context for a new, unrelated program. */
   neutral(): ProgramContext;
 }
 
-export interface EditorEvents extends TextEvents, ContextEvents {
+export interface EditorEvents extends TextEvents, ContextSource {
   /** The user has replaced the program, or undo has restored one, with its context. */
-  contextChanged(context: ProgramContext): void;
+  onContextChanged(context: ProgramContext): void;
 
-  cursorMoved(): void;
+  onCursorMoved(): void;
   /** The tried values have changed, or their blocks have moved. */
-  triedChanged(): void;
+  onTrialChanged(): void;
   /** Help for the word at an offset; undefined if there is none, or it is not known yet. */
   wordAt(offset: number): Promise<WordHelp | undefined>;
-  /** The proposals at an offset; `askedFor`: the user has requested them. */
-  completionAt(offset: number, askedFor: boolean): Promise<CompletionHelp | undefined>;
-  /** Completion could not be loaded; `again` retries. */
-  completionFailed(reason: unknown, again: () => void): void;
-  completionLoaded(): void;
+  /** The proposals at an offset; `requested`: the user has requested them. */
+  completionAt(offset: number, requested: boolean): Promise<CompletionHelp | undefined>;
+  /** Completion could not be loaded; `retry` tries again. */
+  onCompletionFailed(reason: unknown, retry: () => void): void;
+  onCompletionLoaded(): void;
   /** The user has selected a setting as the fix of a problem. */
-  settingChosen(setting: Setting): void;
+  onSettingChosen(setting: Setting): void;
   /** The program is about to get the focus and must become visible. */
-  wanted(): void;
+  onShowProgram(): void;
   /** Other lines are visible. */
-  viewMoved(): void;
+  onViewMoved(): void;
   /** A text was pasted or dropped; the offsets are those after the change. */
-  pasted(from: number, to: number): void;
+  onPasted(from: number, to: number): void;
 }
 
-export interface TextHolder {
+export interface TextStore {
   readonly text: string;
   /** With the line ends of the file. */
   readonly textWithLineEnds: string;
@@ -88,7 +88,7 @@ export interface TextHolder {
   /** The command that updates the worker's text; undefined if it is up to date. Clears the pending changes. */
   takeUnsent(): TextCommand | undefined;
   /** A new worker has no text: send all of it again. */
-  unsend(): void;
+  markAllUnsent(): void;
   /**
    * Sets another text. `undoable`: undo restores the replaced text, and the current context if another `context` is
    * given.
@@ -107,7 +107,7 @@ export interface TextHolder {
 }
 
 /** The state that an editor takes over from the plain text. */
-export interface Start {
+export interface InitialState {
   readonly program: ProgramText;
   readonly file: ProgramFile | undefined;
   /** The part of the text that the worker has not received. */

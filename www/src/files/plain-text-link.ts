@@ -5,14 +5,14 @@
 
 import type { Shared } from './shared-link';
 
-export type Written = Pick<
+type PlainTextFields = Pick<
   Shared,
   'text' | 'setup' | 'control' | 'blockSkip' | 'program' | 'language' | 'view' | 'step' | 'readonly'
 >;
 
-export function writtenLink(shared: Written): string {
+export function plainTextLink(shared: PlainTextFields): string {
   const { text, control, blockSkip, language, view, step, readonly } = shared;
-  const said = [
+  const entries = [
     ['view', view],
     ['control', control],
     ['block-skip', blockSkip],
@@ -22,18 +22,18 @@ export function writtenLink(shared: Written): string {
     ['setup', setupWithProgram(shared)],
     ['program', text],
   ] as const;
-  return said.flatMap(([name, value]) => (value === null ? [] : [`${name}=${encoded(value)}`])).join('&');
+  return entries.flatMap(([name, value]) => (value === null ? [] : [`${name}=${percentEncode(value)}`])).join('&');
 }
 
 /** Percent-encodes a text. A lone surrogate, which no address can contain, becomes U+FFFD. */
-function encoded(text: string): string {
+function percentEncode(text: string): string {
   return encodeURIComponent(
     text.replace(/[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g, '\ufffd'),
   );
 }
 
 /** Puts the O number into the setup: in an address, `program` is the text. */
-function setupWithProgram({ setup, program }: Written): string | null {
+function setupWithProgram({ setup, program }: PlainTextFields): string | null {
   if (program === null) return setup;
   try {
     const parsed: unknown = JSON.parse(setup ?? '{}');
