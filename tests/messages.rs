@@ -477,7 +477,7 @@ fn numbers_and_words_are_named_as_they_are_written() {
         assert!(said.iter().any(|own| own == sentence), "{program}\n{said:?}");
     };
     check(&format!("{start}G71 P1 Q2 D-2\n//        ^^^ E-G71-U-SIGN\n{contour}"));
-    has(&format!("{start}G71 P1 Q2 D-2\n{contour}"), "The depth of cut -2 of G71 must be larger than zero.");
+    has(&format!("{start}G71 P1 Q2 D-2\n{contour}"), "The depth of cut -2 of G71 must be greater than zero.");
     has(
         "G30 P2",
         "G30 contains no axis: on FANUC controls nothing moves; others move all axes. Nothing is drawn.",
