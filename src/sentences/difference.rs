@@ -86,12 +86,12 @@ pub fn said(said: Said, language: Language) -> &'static str {
             ["these blocks move as before", "这些程序段的运动不变", "перемещения этих кадров прежние"]
         }
         Said::Later => [
-            "Unchanged blocks that move otherwise from here on: {}",
+            "Unchanged blocks whose motion differs from here on: {}",
             "此后文字未变但运动不同的程序段：{}",
             "Далее кадров с прежним текстом, но другими перемещениями: {}",
         ],
         Said::Unexplained => [
-            "Unchanged blocks that move otherwise: {}",
+            "Unchanged blocks whose motion differs: {}",
             "文字未变但运动不同的程序段：{}",
             "Кадров с прежним текстом, но другими перемещениями: {}",
         ],

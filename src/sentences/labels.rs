@@ -80,7 +80,7 @@ pub fn attribute_value(name: &str, value: &str, expected: &str, language: Langua
 
 /// Error: the setup of an element cannot be parsed.
 pub fn setup_unreadable(reason: &str, language: Language) -> String {
-    let said = language.among(["the setup cannot be read:", "无法读取设置：", "настройки не читаются:"]);
+    let said = language.among(["the setup cannot be read:", "无法读取设置：", "наладка не читается:"]);
     format!("{said} {reason}")
 }
 

@@ -30,7 +30,7 @@ test('a pasted version is compared with the program: blocks, their effect, total
   const result = dialog(page).getByRole('region', { name: 'Comparison' });
   await expect(result).toContainText('G00 X49.96');
   await expect(result).toContainText('end point: X49.96 Z2 → X50 Z2');
-  await expect(result).toContainText('Unchanged blocks that move otherwise from here on: 1');
+  await expect(result).toContainText('Unchanged blocks whose motion differs from here on: 1');
   await expect(result).toContainText('end point: X49.96 Z-20 → X50 Z-20');
   await expect(result.getByRole('row', { name: 'tools T0101 T0101' })).toBeVisible();
   await expect(result.getByRole('img', { name: /^Tool paths of both/ })).toBeVisible();

@@ -131,7 +131,7 @@ test('a character outside of the encoding is reported, and the file is saved as 
   await page.keyboard.insertText('😀');
   const saved = await save(page);
   expect(saved.bytes.toString('utf8')).toBe('(Резец😀)\r\nM30\r\n');
-  await expect(page.getByText('Windows-1251 has no place for “😀”: резец.nc was saved as UTF-8.')).toBeVisible();
+  await expect(page.getByText('Windows-1251 has no character “😀”: резец.nc was saved as UTF-8.')).toBeVisible();
   await expect(encoding(page)).toHaveValue('utf-8');
 
   await encoding(page).selectOption('windows-1251');

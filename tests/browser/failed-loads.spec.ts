@@ -323,10 +323,10 @@ test('panels and other files are missing, and the notices are shown one at a tim
   await expect(page.getByRole('alert')).toHaveCount(1);
   site.refuse(either(panels, editorFile()), 'missing');
   await online(page);
-  await expect(notice(page, 'What stands around the picture could not be loaded')).toBeVisible();
+  await expect(notice(page, 'Part of the page could not be loaded')).toBeVisible();
   await expect(page.getByRole('alert')).toHaveCount(1);
   site.refuse();
-  await notice(page, 'What stands around the picture').getByRole('button', { name: 'Try again' }).click();
+  await notice(page, 'Part of the page').getByRole('button', { name: 'Try again' }).click();
   await works(page, 2);
   await site.stop();
 });

@@ -129,7 +129,7 @@ test('a button opens the outline, which shows a message if nothing is found', as
   const dialog = page.getByRole('dialog', { name: OUTLINE.en });
   await expect(dialog).toBeVisible();
   await page.keyboard.insertText('nowhere');
-  await expect(dialog).toContainText('No entry holds these words.');
+  await expect(dialog).toContainText('No entry contains these words.');
   await page.keyboard.press('Escape');
   await type(page, 'G00 X20 Z5');
   await atCursor(page)

@@ -147,7 +147,7 @@ test('a page that is not stored reports what is missing, and retries', async ({ 
   await expect(page.getByText('Not stored for offline use')).toBeVisible();
   await site.stop();
   await openFile(page, 'part.nc', Buffer.from('G00 X50 Z2\nG01 X40 Z-25 F0.2\nM30\n'));
-  const notice = page.getByRole('alert').filter({ hasText: 'the network is missing' });
+  const notice = page.getByRole('alert').filter({ hasText: 'no network connection' });
   await expect(notice).toBeVisible();
   await page.getByRole('button', { name: 'Gallery…' }).click();
   await expect(page.getByText('The examples could not be loaded')).toBeVisible();
@@ -156,7 +156,7 @@ test('a page that is not stored reports what is missing, and retries', async ({ 
   await page.evaluate(() => void dispatchEvent(new Event('online')));
   await page.getByRole('dialog', { name: 'Gallery' }).getByRole('button', { name: 'Close', exact: true }).click();
   // Anything that would replace the text waits for the user.
-  const there = page.getByRole('alert').filter({ hasText: 'what was missing is there now' });
+  const there = page.getByRole('alert').filter({ hasText: 'the missing part is loaded' });
   await expect(there).toBeVisible();
   expect(await value(page)).not.toContain('Z-25');
   await there.getByRole('button', { name: 'Open' }).click();

@@ -181,7 +181,7 @@ test('the program of a link stays in the URL until the text differs', async ({ p
 
   await editor(page).focus();
   await page.keyboard.insertText('G04 X1\n');
-  const linkNotice = page.getByText('This began as the program of a link');
+  const linkNotice = page.getByText('This program is from a link');
   await expect(linkNotice).toBeVisible();
   expect(await address(page)).not.toContain('#program=');
   await page.getByRole('button', { name: 'Open the link again' }).click();

@@ -24,7 +24,7 @@ async function close(page: BasicPage): Promise<void> {
 
 async function act(page: BasicPage, name: string, what: string): Promise<void> {
   await list(page)
-    .getByRole('button', { name: `What can be done with ${name}`, exact: true })
+    .getByRole('button', { name: `Actions for ${name}`, exact: true })
     .click();
   await list(page).getByRole('button', { name: what, exact: true }).click();
 }
@@ -207,8 +207,8 @@ test('all programs are saved to one file, and imported without overwriting any',
   });
   await test.step('a file of another kind is rejected with the reason', async () => {
     for (const [text, reason] of [
-      ['G00 X1\n', 'no file of programs'],
-      ['[]', 'no file of programs'],
+      ['G00 X1\n', 'not a file of programs'],
+      ['[]', 'not a file of programs'],
       [file.toString().replace('"version": 1', '"version": 2'), 'newer version'],
     ] as const) {
       await take(text);
@@ -240,7 +240,7 @@ test('requests at the same time are executed in order: an import while a program
   const saving = page.waitForEvent('download');
   await list(page).getByRole('button', { name: 'Export all' }).click();
   const file = readFileSync(await (await saving).path()).toString();
-  await list(page).getByRole('button', { name: 'What can be done with O0011 SHAFT', exact: true }).click();
+  await list(page).getByRole('button', { name: 'Actions for O0011 SHAFT', exact: true }).click();
   await page.evaluate((file) => {
     const dialog = document.querySelector('dialog[open]')!;
     [...dialog.querySelectorAll('button')].find((button) => button.textContent === 'Delete')?.click();
@@ -480,7 +480,7 @@ test('two tabs that change the same program keep both texts', async ({ page }) =
   await test.step('a program deleted in the other tab stays on the page', async () => {
     await press(list(page).getByRole('button', { name: 'Close' }));
     await openListInHiddenTab(second);
-    await press(list(second).getByRole('button', { name: 'What can be done with O0011 SHAFT (3)', exact: true }));
+    await press(list(second).getByRole('button', { name: 'Actions for O0011 SHAFT (3)', exact: true }));
     await press(list(second).getByRole('button', { name: 'Delete', exact: true }));
     await expect(notice(page)).toContainText('This program was deleted in another tab.');
     expect(await value(page)).toContain('(of the second tab)');

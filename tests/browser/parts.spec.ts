@@ -267,9 +267,7 @@ test('panels and the editor that failed to load are loaded by a retry', async ({
   await page.route(/\/assets\/(further|editor)-[\w-]+\.js/, (route) => (broken ? route.abort() : route.continue()));
   await page.goto('./');
   const notice = page.getByRole('alert');
-  await expect(notice).toContainText(
-    /What stands around the picture could not be loaded|The editor could not be loaded/,
-  );
+  await expect(notice).toContainText(/Part of the page could not be loaded|The editor could not be loaded/);
   broken = false;
   await page.context().setOffline(true);
   await page.context().setOffline(false);

@@ -90,7 +90,7 @@ test('machine and tools of a program are stored separately, and a file that is n
   await expect.poll(() => setup(page)).toEqual({ tools: { T0101: { type: 'turning', noseRadius: 0.8 } } });
 
   await importProfile(page, 'bad.json', { stok: {} });
-  await expect(dialog(page).getByText(/bad.json is no setup: .*stok/)).toBeVisible();
+  await expect(dialog(page).getByText(/bad.json is not a setup: .*stok/)).toBeVisible();
   await dialog(page).getByRole('button', { name: 'Delete: Set A' }).click();
   await expect(dialog(page).getByText('No tool table is kept yet.')).toBeVisible();
 });

@@ -1,4 +1,4 @@
-// "My machine does otherwise": the report as a text, and as a folder for tests/programs.
+// "My machine behaves differently": the report as a text, and as a folder for tests/programs.
 import { readFileSync } from 'node:fs';
 import { unzipSync, strFromU8 } from 'fflate';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
@@ -17,7 +17,7 @@ const DRAWN = [
 const WORDS = {
   en: {
     more: 'More',
-    open: 'My machine does otherwise…',
+    open: 'My machine behaves differently…',
     machine: 'Machine and control',
     did: 'What the machine did',
     line: 'Line of the block',
@@ -35,7 +35,7 @@ const WORDS = {
   },
   ru: {
     more: 'Ещё',
-    open: 'Мой станок делает иначе…',
+    open: 'Мой станок работает иначе…',
     machine: 'Станок и система ЧПУ',
     did: 'Что сделал станок',
     line: 'Строка кадра',
@@ -115,7 +115,7 @@ test('the report waits for the motions, and cannot be copied before', async ({ p
     });
   await openReport(page, 'en');
   const dialog = page.getByRole('dialog');
-  await expect(dialog.getByText('The report is being put together…')).toBeVisible();
+  await expect(dialog.getByText('The report is being prepared…')).toBeVisible();
   await expect(dialog.getByRole('button', { name: 'Copy', exact: true })).toBeDisabled();
   await expect(dialog.locator('#report-output')).toHaveValue('');
   await expect(dialog.locator('#report-output')).toHaveValue(/What the playground draws there/);

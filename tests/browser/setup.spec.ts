@@ -101,7 +101,7 @@ test('unapplied input is restored when the form is opened again, until the progr
   await expect(field(page, 'Stock', 'Diameter')).toHaveValue('50');
   await expect(field(page, 'Tool T0303', 'Kind')).toHaveValue('grooving');
   await expect(form(page).getByLabel('in the program, as comments')).toBeChecked();
-  await form(page).getByRole('button', { name: 'Discard it' }).click();
+  await form(page).getByRole('button', { name: 'Discard them' }).click();
   await expect(left).toBeHidden();
   await expect(field(page, 'Stock', 'Diameter')).toHaveValue('');
   await expect(form(page).getByRole('region', { name: 'Tool T0303' })).toHaveCount(0);
@@ -120,7 +120,7 @@ test('unapplied input is restored when the form is opened again, until the progr
   await expect(left).toBeVisible();
   await expect(rapid).toBeVisible();
   await expect(rapid).toHaveValue('9000');
-  await form(page).getByRole('button', { name: 'Discard it' }).click();
+  await form(page).getByRole('button', { name: 'Discard them' }).click();
 
   // Applied input is no longer restored.
   await field(page, 'Stock', 'Diameter').fill('52');
@@ -145,7 +145,7 @@ test('a setup stored in the program is written as comments, and one undo removes
   await field(page, 'Tool T0101', 'Nose radius').fill('0,8');
   await form(page).getByRole('radio', { name: 'in the program, as comments' }).check();
   await form(page).getByRole('button', { name: 'Apply' }).click();
-  await expect(page.getByText('The setup stands in the program now')).toBeVisible();
+  await expect(page.getByText('The setup is in the program now')).toBeVisible();
   const lines = (await value(page)).split('\n');
   expect(lines.slice(0, 3)).toEqual([
     'O0001',

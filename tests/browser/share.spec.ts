@@ -191,7 +191,7 @@ test('opening a link in an open page stores the current program, and offers it',
   // Also after the program of the link was changed.
   await editor(page).focus();
   await page.keyboard.insertText('(X)');
-  await expect(page.getByText('This began as the program of a link')).toBeVisible();
+  await expect(page.getByText('This program is from a link')).toBeVisible();
   await page.getByRole('button', { name: 'Bring it back' }).click();
   await expect.poll(() => value(page)).toBe(OWN);
 });
@@ -339,7 +339,7 @@ test('the page reports when a QR code or a link would be too long', async ({ pag
   await shareButton(page).click();
   await expect(page.getByText(/cut off links of more than 2,000/)).toBeVisible();
   await page.getByRole('combobox', { name: 'As' }).selectOption('qr');
-  await expect(page.getByText(/too long for a QR code: [\d,]+ characters, and it holds 2,331/)).toBeVisible();
+  await expect(page.getByText(/too long for a QR code: [\d,]+ characters; it holds at most 2,331/)).toBeVisible();
   await page.keyboard.press('Escape');
   const longer = noise(1_500_000);
   await openFile(page, 'longer.nc', Buffer.from(longer));
@@ -368,7 +368,7 @@ test('a teacher gives a class a task by link, and receives links to the answers'
   await expect(page.getByLabel('Opens in English')).toBeChecked();
   await page.getByLabel('As a task').check();
   await expect(page.getByLabel('Opens in English')).not.toBeChecked();
-  await expect(page.getByText('The pupil begins with the solution: take out what is to be found.')).toBeVisible();
+  await expect(page.getByText('The pupil begins with the solution: delete the part to be found.')).toBeVisible();
   const begin = OWN.replace('G90 X36 Z-20 F0.2\nX32\n', '\n');
   await page.getByLabel('What is to be done').fill('Turn the shoulder to X32 with G90.\nAt most 2 mm per pass.');
   await page.getByLabel('What the pupil begins with').fill(begin);
@@ -402,7 +402,7 @@ test('a teacher gives a class a task by link, and receives links to the answers'
     await expect(page.getByRole('region', { name: 'Solution', exact: true })).toContainText('G90 X36');
     expect(await value(page)).toBe(work);
     // The same link on another day does not change it either.
-    await expect(page.getByText('This began as the program of a link')).toBeVisible();
+    await expect(page.getByText('This program is from a link')).toBeVisible();
     await page.reload();
     await expect.poll(() => value(page)).toBe(work);
     await expect(page.getByText('Task: Turn the shoulder')).toBeVisible();

@@ -133,9 +133,9 @@ test('the 3D view reports a missing network, and is shown when it is back', asyn
   await page.context().setOffline(true);
   await page.getByRole('button', { name: 'Show the part as a solid' }).click();
   const dialog = page.getByRole('dialog', { name: 'The part, a quarter cut away' });
-  await expect(dialog.getByText('The view could not be loaded: the network is missing.')).toBeVisible();
+  await expect(dialog.getByText('The view could not be loaded: no network connection.')).toBeVisible();
   await dialog.getByRole('button', { name: 'Try again' }).click();
-  await expect(dialog.getByText('The view could not be loaded: the network is missing.')).toBeVisible();
+  await expect(dialog.getByText('The view could not be loaded: no network connection.')).toBeVisible();
   await site.start();
   await page.context().setOffline(false);
   await expect(dialog.getByRole('img', { name: /three dimensions/ })).toBeVisible();

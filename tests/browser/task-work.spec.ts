@@ -58,7 +58,7 @@ async function work(page: BasicPage, { begin }: Task, answer: string): Promise<s
 async function isShown(page: BasicPage, { sentence }: Task, text: string): Promise<void> {
   await expect.poll(() => value(page)).toBe(text);
   await expect(page.getByText(`Task: ${sentence}`)).toBeVisible();
-  await expect(page.getByText('This began as the program of a link')).toBeVisible();
+  await expect(page.getByText('This program is from a link')).toBeVisible();
 }
 
 async function hasPrograms(page: BasicPage, count: number): Promise<void> {
@@ -178,7 +178,7 @@ test('deleted work is not restored, except by undo', async ({ page }) => {
   await openNewPage(page, second.link);
   await page.getByRole('button', { name: 'My programs…' }).first().click();
   await expect(items(page)).toHaveCount(1);
-  await list(page).getByRole('button', { name: 'What can be done with O0001', exact: true }).click();
+  await list(page).getByRole('button', { name: 'Actions for O0001', exact: true }).click();
   await list(page).getByRole('button', { name: 'Delete', exact: true }).click();
   await expect(items(page)).toHaveCount(0);
   await go(page, first.link);
@@ -190,7 +190,7 @@ test('deleted work is not restored, except by undo', async ({ page }) => {
   await openNewPage(page, first.link);
   await isShown(page, first, done);
   await page.getByRole('button', { name: 'My programs…' }).first().click();
-  await list(page).getByRole('button', { name: 'What can be done with O0001', exact: true }).click();
+  await list(page).getByRole('button', { name: 'Actions for O0001', exact: true }).click();
   await list(page).getByRole('button', { name: 'Delete', exact: true }).click();
   await expect(items(page)).toHaveCount(0);
   await openNewPage(page, first.link);

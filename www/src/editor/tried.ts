@@ -107,7 +107,7 @@ const WORDS = words({
   en: {
     tried: (variable: number, value: number, time: number) =>
       `what if #${variable} = ${value}${time > 1 ? ` (time ${time})` : ''}`,
-    end: 'Try this value no longer',
+    end: 'Stop trying this value',
   },
   zh: {
     tried: (variable, value, time) => `假如 #${variable} = ${value}${time > 1 ? `（第 ${time} 次）` : ''}`,

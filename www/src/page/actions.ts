@@ -43,7 +43,7 @@ const ACTIONS: readonly Action[] = [
   {
     id: 'report',
     place: 'more',
-    label: words({ en: 'My machine does otherwise', zh: '我的机床动作不同', ru: 'Мой станок делает иначе' }),
+    label: words({ en: 'My machine behaves differently', zh: '我的机床动作不同', ru: 'Мой станок работает иначе' }),
     load: async () => (await importWithRetry(() => import('./report-dialog'))).report,
   },
 ];
@@ -132,7 +132,7 @@ export class Actions {
 }
 
 const WORDS = words({
-  en: { more: 'More', notLoaded: 'This could not be loaded. Try again when the network is there.' },
+  en: { more: 'More', notLoaded: 'This could not be loaded. Try again when you are online.' },
   zh: { more: '更多', notLoaded: '加载失败。请在网络恢复后重试。' },
   ru: { more: 'Ещё', notLoaded: 'Не удалось загрузить. Повторите, когда появится сеть.' },
 });

@@ -75,7 +75,7 @@ export const LIST_WORDS = words({
     full: 'The browser has no room left: nothing was changed. Delete programs that you no longer need.',
     noName: 'Program without a name',
     open: 'Open',
-    more: (name: string) => `What can be done with ${name}`,
+    more: (name: string) => `Actions for ${name}`,
     actions: { rename: 'Rename', duplicate: 'Duplicate', states: 'Earlier states', delete: 'Delete' },
     newName: 'New name',
     confirmRename: 'Rename',
@@ -89,13 +89,14 @@ export const LIST_WORDS = words({
     noRoom: (n: number) => ` No room for ${n}: the list is full.`,
     unreadable: (n: number) => ` Not readable: ${n}.`,
     wrongFile: {
-      'another-format': 'This is no file of programs from “Export all”. A single program is opened with “Open file”.',
+      'another-format':
+        'This is not a file of programs from “Export all”. A single program is opened with “Open file”.',
       'newer-version': 'This file was made by a newer version of this page.',
       'too-large': 'This file is larger than 100 MB.',
     },
     statesOf: (name: string) => `Earlier states of ${name}`,
     statesAbout:
-      'All of the last ten minutes stay, a quarter of a minute apart; then one for each ten minutes of a day, and one for each day before it: at most 100, and 20 million characters.',
+      'States of the last ten minutes are kept 15 seconds apart; then one for each ten minutes of a day, and one for each earlier day: at most 100, and 20 million characters.',
     noStates: 'There is no earlier state yet.',
     restore: 'Restore',
     length: counter('en', { one: 'character', other: 'characters' }),

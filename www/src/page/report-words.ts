@@ -40,20 +40,20 @@ export interface ReportWords {
 
 export const REPORT_WORDS = words<ReportWords>({
   en: {
-    title: 'My machine does otherwise',
+    title: 'My machine behaves differently',
     about:
-      'A report with the program, its setup and what is drawn. Nothing is sent: copy it, and add it to an issue of the project.',
+      'A report with the program, its setup and the drawn motions. Nothing is sent: copy it, and add it to an issue of the project.',
     machine: 'Machine and control',
     machineHint: 'For example: GSK 980TDb, 2019',
     lineLabel: 'Line of the block',
     block: (line) => `Block in line ${line}`,
     did: 'What the machine did',
-    didHint: 'For example: after the cycle it stood at X40 Z2, not at X42 Z2.',
+    didHint: 'For example: after the cycle it stopped at X40 Z2, not at X42 Z2.',
     drawn: 'What the playground draws there',
     nothingDrawn: 'No motion.',
     notListed: 'The motions are not listed: the program is too long, or it could not be run.',
     more: (n) => `… and ${MORE.en(n)} more`,
-    unspecified: '(not said)',
+    unspecified: '(not given)',
     versions: 'Versions',
     open: 'Open it',
     setup: 'Setup',
@@ -64,9 +64,9 @@ export const REPORT_WORDS = words<ReportWords>({
     notCopied: 'The browser does not allow copying: the text is selected, press Ctrl C.',
     saveFolder: 'Save as a folder for tests',
     saved: (name) => `${name}: unpack it in tests/programs, and put what the machine did into motions.jsonl.`,
-    inProgress: 'The report is being put together…',
+    inProgress: 'The report is being prepared…',
     unreadableSetup: 'The setup cannot be read: fix it first.',
-    notLoaded: 'This could not be loaded. Try again when the network is there.',
+    notLoaded: 'This could not be loaded. Try again when you are online.',
   },
   zh: {
     title: '我的机床动作不同',
@@ -97,7 +97,7 @@ export const REPORT_WORDS = words<ReportWords>({
     notLoaded: '加载失败。请在网络恢复后重试。',
   },
   ru: {
-    title: 'Мой станок делает иначе',
+    title: 'Мой станок работает иначе',
     about:
       'Отчёт с программой, наладкой и тем, что нарисовано. Ничего не отправляется: скопируйте его и добавьте в обращение к проекту.',
     machine: 'Станок и система ЧПУ',

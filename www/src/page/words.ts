@@ -8,8 +8,7 @@ export const PAGE_WORDS = words({
     title: 'G-code playground',
     example: 'Example',
     gallery: 'Gallery…',
-    exampleNotLoaded:
-      'The examples could not be loaded: the network is missing. It is tried again when the network is back.',
+    exampleNotLoaded: 'The examples could not be loaded: no network connection. Will retry when you are back online.',
     tryAgain: 'Try again',
     added: (words: string) => `Added to the printed program: ${words}`,
     ownProgram: 'My own program',
@@ -24,7 +23,7 @@ export const PAGE_WORDS = words({
     restored: 'Restored your last program',
     resetToExample: 'Reset example',
     firstExample: 'Open the first example',
-    linked: 'This began as the program of a link, and was changed',
+    linked: 'This program is from a link, and was changed',
     reopenLink: 'Open the link again',
     previousProgram: 'Your last program is kept',
     restoreProgram: 'Bring it back',

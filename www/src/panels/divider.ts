@@ -94,7 +94,7 @@ class Divider implements Panel {
 const WORDS = words({
   en: {
     divider: 'Width of the program',
-    hint: 'Drag: program and drawing share the width otherwise. Double click: as it was',
+    hint: 'Drag to change the widths of program and drawing. Double-click to reset',
   },
   zh: { divider: '程序区宽度', hint: '拖动以调整程序区与图形区的宽度；双击恢复' },
   ru: {

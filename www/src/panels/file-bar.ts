@@ -145,9 +145,9 @@ const WORDS = words({
   en: {
     opened: (name: string) => `Opened ${name}`,
     openedAs: (name: string, encoding: string) =>
-      `Opened ${name} as ${encoding}. If it reads wrong, choose another encoding beside its name.`,
+      `Opened ${name} as ${encoding}. If the text is garbled, choose another encoding beside its name.`,
     openedBinary: (name: string) =>
-      `Opened ${name}. It does not look like a text; saved unchanged, its bytes stay the same.`,
+      `Opened ${name}. It does not look like text; saved unchanged, its bytes stay the same.`,
     fileTooLarge: (name: string) => `${name} is larger than 64 MB and was not opened.`,
     fileUnreadable: (name: string) => `${name} could not be read.`,
     encoding: 'Encoding',
@@ -155,11 +155,11 @@ const WORDS = words({
     rereadAs: (encoding: string) => `Read again as ${encoding}.`,
     savedFromNowAs: (encoding: string) => `The text stays as it is and will be saved as ${encoding}.`,
     invalidEncoding: (name: string, chosen: string, present: string) =>
-      `${name} is no ${chosen} text; it stays ${present}.`,
+      `${name} is not ${chosen} text; it stays ${present}.`,
     unencodable: (character: string, chosen: string, present: string) =>
-      `${chosen} has no place for “${character}”; the file stays ${present}.`,
+      `${chosen} has no character “${character}”; the file stays ${present}.`,
     savedAsUtf8: (name: string, encoding: string, character: string) =>
-      `${encoding} has no place for “${character}”: ${name} was saved as UTF-8.`,
+      `${encoding} has no character “${character}”: ${name} was saved as UTF-8.`,
   },
   zh: {
     opened: (name) => `已打开 ${name}`,

@@ -43,9 +43,9 @@ function reportMissing<Part>(shell: Shell, load: () => Promise<Part>, retry: () 
 
 const WORDS = words({
   en: {
-    missing: 'This could not be loaded: the network is missing. It is loaded when the network is back.',
+    missing: 'This could not be loaded: no network connection. Will retry when you are back online.',
     tryAgain: 'Try again',
-    loaded: 'The network is back: what was missing is there now.',
+    loaded: 'You are back online: the missing part is loaded.',
     open: 'Open',
   },
   zh: {

@@ -226,8 +226,8 @@ const WORDS = words({
     more: (count: number) => `and ${count} more`,
     moreThan: (count: number) => `and more than ${count} more`,
     noNumber:
-      'F12 goes from a sequence number, a program number or a variable to its other places. None stands at the cursor.',
-    onlyHere: (number: string) => `${number} stands only here.`,
+      'F12 goes from a sequence number, a program number or a variable to its other places. None is at the cursor.',
+    onlyHere: (number: string) => `${number} appears only here.`,
     noWayBack: 'This is where the first F12 was pressed.',
   },
   zh: {

@@ -173,7 +173,7 @@ const WORDS = words({
     filter: 'Find',
     found: counter('en', { one: 'entry', other: 'entries' }),
     nothing: 'There is nothing to list: no program number, tool, cycle or comment is in this text.',
-    notFound: 'No entry holds these words.',
+    notFound: 'No entry contains these words.',
     cut: 'The program goes on; the outline ends here.',
   },
   zh: {

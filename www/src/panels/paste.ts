@@ -125,7 +125,7 @@ const WORDS = words({
     tooLong: 'The text is too long to be searched for programs.',
     fewCharacters: 'There are characters in this text that do not belong in a program.',
     clean: 'Clean it…',
-    applied: 'The program took the place of the text. Undo brings it back.',
+    applied: 'The program replaced the text. Undo restores the text.',
   },
   zh: {
     button: '程序…',

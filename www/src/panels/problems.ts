@@ -336,7 +336,7 @@ const WORDS = words({
     morePlaces: (n) => `还有 ${n} 处`,
     fix: (title) => `修正：${title}`,
     fixSafe: (n) => `一次修正 ${n} 处（安全）`,
-    fixSafeHelp: '不会改坏程序含义的修正。按 Ctrl Z 可撤销。',
+    fixSafeHelp: '不改变程序动作的修正。按 Ctrl Z 可撤销。',
     place: (line, column) => `第 ${line} 行第 ${column} 列`,
   },
   ru: {
@@ -351,7 +351,7 @@ const WORDS = words({
     morePlaces: (n) => `ещё ${n}`,
     fix: (title) => `Исправить: ${title}`,
     fixSafe: (n) => `Исправить безопасные: ${n}`,
-    fixSafeHelp: 'Исправления, которые не могут исказить смысл программы. Ctrl Z отменяет их.',
+    fixSafeHelp: 'Исправления, которые не меняют действия программы. Ctrl Z отменяет их.',
     place: (line, column) => `строка ${line}, столбец ${column}`,
   },
 });

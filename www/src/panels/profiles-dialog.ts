@@ -185,11 +185,11 @@ const WORDS = words({
   en: {
     title: 'Machines and tool tables',
     about:
-      'Kept in this browser. A file holds a setup, which the command line reads with --setup. Your own programs begin with the machine you use.',
+      'Kept in this browser. A file contains a setup, which the command line reads with --setup. Your own programs begin with the machine you use.',
     titles: { machine: 'Machines', tools: 'Tool tables' },
     nothing: { machine: 'No machine is kept yet.', tools: 'No tool table is kept yet.' },
     nothingSet: {
-      machine: 'The setup says nothing of the machine. Enter it in the setup form, then keep it here.',
+      machine: 'The setup has no machine. Enter it in the setup form, then keep it here.',
       tools: 'The setup has no tools. Enter them in the setup form, then keep them here.',
     },
     saveAs: { machine: 'Keep the machine of this program as', tools: 'Keep the tools of this program as' },
@@ -202,8 +202,8 @@ const WORDS = words({
     delete: 'Delete',
     deleted: (name: string) => `${name} is deleted.`,
     import: 'Import file',
-    noSetup: (file: string) => `${file} holds neither a machine nor tools.`,
-    wrong: (file: string, reason: string) => `${file} is no setup: ${reason}`,
+    noSetup: (file: string) => `${file} contains neither a machine nor tools.`,
+    wrong: (file: string, reason: string) => `${file} is not a setup: ${reason}`,
   },
   zh: {
     title: '机床与刀具表',
@@ -234,7 +234,7 @@ const WORDS = words({
     titles: { machine: 'Станки', tools: 'Таблицы инструментов' },
     nothing: { machine: 'Станков пока нет.', tools: 'Таблиц инструментов пока нет.' },
     nothingSet: {
-      machine: 'О станке в наладке ничего нет. Укажите его в форме наладки и сохраните здесь.',
+      machine: 'В наладке нет станка. Укажите его в форме наладки и сохраните здесь.',
       tools: 'В наладке нет инструментов. Укажите их в форме наладки и сохраните здесь.',
     },
     saveAs: { machine: 'Сохранить станок этой программы как', tools: 'Сохранить инструменты этой программы как' },

@@ -140,7 +140,7 @@ const WORDS = words({
     stockAssumed: 'Stock assumed: collisions not checked',
     useStock: 'use this stock',
     kept: {
-      program: 'The setup stands in the program now. Ctrl Z takes it out.',
+      program: 'The setup is in the program now. Ctrl Z removes it.',
       page: 'The setup is kept on this page.',
     },
   },

@@ -170,7 +170,7 @@ const WORDS = words({
     /** For screen readers. */
     solidView: 'The turned part in three dimensions. Arrow keys turn it, plus and minus zoom, Home resets the view.',
     solidLoading: 'Loading …',
-    solidNoNetwork: 'The view could not be loaded: the network is missing. It is loaded when the network is back.',
+    solidNoNetwork: 'The view could not be loaded: no network connection. Will retry when you are back online.',
     solidRetry: 'Try again',
     solidNoPart: 'There is no part to show: nothing is left of the blank, or it is not known.',
     solidNoWebGl:
@@ -188,7 +188,7 @@ const WORDS = words({
     solidRetry: '重试',
     solidNoPart: '没有可显示的零件：毛坯已无剩余，或毛坯未知。',
     solidNoWebGl: '此浏览器无法显示三维图形（缺少 WebGL 或已关闭）。平面图中可看到同一零件的剖面。',
-    solidReset: '初始视角',
+    solidReset: '重置视图',
   },
   ru: {
     solid: '3D',
