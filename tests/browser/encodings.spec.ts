@@ -157,7 +157,7 @@ test('a wrongly detected encoding can be corrected, also after an edit', async (
   await openFile(page, 'ru.nc', Buffer.from([0x28, 0xd0, 0xe5, 0xe7, 0xe5, 0xf6, 0x29]));
   await expect(encoding(page)).toHaveValue('windows-1251');
   await encoding(page).selectOption('gb18030');
-  await expect(page.getByText('ru.nc is no GB18030 text; it stays Windows-1251.')).toBeVisible();
+  await expect(page.getByText('ru.nc is not GB18030 text; it stays Windows-1251.')).toBeVisible();
   await expect(encoding(page)).toHaveValue('windows-1251');
 });
 

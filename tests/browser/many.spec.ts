@@ -81,7 +81,7 @@ async function injectFault(page: ChromiumPage, fault: string): Promise<void> {
     page,
     `
     let isHit = false;
-    self.addEventListener('message', ({ data }) => { if (JSON.stringify(data?.what ?? '').includes('(FAULT)')) isHit = true; });
+    self.addEventListener('message', ({ data }) => { if (JSON.stringify(data?.content ?? '').includes('(FAULT)')) isHit = true; });
     const now = performance.now.bind(performance);
     performance.now = () => { if (isHit) { isHit = false; ${fault} } return now(); };
   `,
