@@ -34,9 +34,9 @@ test('a picture that arrives after the next run has started is painted again', a
     const own = Object.getOwnPropertyDescriptor(Worker.prototype, 'onmessage')!;
     Object.defineProperty(Worker.prototype, 'onmessage', {
       ...own,
-      set(heard: (event: MessageEvent<{ kind: string }>) => void) {
-        own.set!.call(this, (event: MessageEvent<{ kind: string }>) => {
-          if (event.data.kind === 'pictures') setTimeout(() => heard(event), 150);
+      set(heard: (event: MessageEvent<{ event?: { kind: string } }>) => void) {
+        own.set!.call(this, (event: MessageEvent<{ event?: { kind: string } }>) => {
+          if (event.data.event?.kind === 'pictures') setTimeout(() => heard(event), 150);
           else heard(event);
         });
       },
