@@ -6,7 +6,7 @@
 use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::{self, G, Hole, M, MotionMode, Multiple};
 use crate::control::modal::State;
-use crate::control::words::{letters, plain};
+use crate::control::words::{letters_of, plain};
 use crate::setup::dialect::CodeList;
 use crate::text::block::{Block, Value, Word};
 
@@ -78,7 +78,7 @@ impl Form {
         }
         let call = block.words.iter().find_map(|word| m_of(word).filter(|code| is_call(*code)));
         match (one_shot, hole, call) {
-            (Some(G::Multiple(cycle)), ..) => Self::Multiple(cycle, cycle_block(cycle, block, 0)),
+            (Some(G::Multiple(cycle)), ..) => Self::Multiple(cycle, cycle_block(cycle, block)),
             (Some(code), ..) => Self::OneShot(code),
             (None, Some(hole), _) => Self::Hole { hole, own: true },
             (None, None, Some(call)) => Self::Call(call),
@@ -108,8 +108,12 @@ fn is_call(code: M) -> bool {
     matches!(code, M::Call | M::LocalCall | M::Return)
 }
 
-/// Which block of a multiple cycle it is, decided by its words and by other letters, the bits of [`letters`].
-pub fn cycle_block(cycle: Multiple, block: &Block, others: u32) -> CycleBlock {
-    let own = block.words.iter().filter(|word| !word.comma);
-    cycle.spec().block(own.fold(others, |given, word| given | letters(&[word.address])))
+/// Which block of a multiple cycle it is, decided by its words.
+pub fn cycle_block(cycle: Multiple, block: &Block) -> CycleBlock {
+    cycle.spec().block(letters_without_comma(block))
+}
+
+/// Letters of the words that follow no comma, as the bits of [`letters`](crate::control::words::letters).
+pub fn letters_without_comma(block: &Block) -> u32 {
+    letters_of(block.words.iter().filter(|word| !word.comma))
 }

@@ -5,7 +5,7 @@
 use super::form::{cycle_block, g_of};
 use super::names::{Name, Named, names, number_after};
 use crate::control::codes::cycles::CycleBlock;
-use crate::control::codes::{self, Function, G, MotionMode};
+use crate::control::codes::{self, Function, G, GCode, MotionMode};
 use crate::control::words::plain;
 use crate::setup::dialect::CodeList;
 use crate::setup::notes::Notes;
@@ -184,11 +184,11 @@ impl Outlining<'_> {
     /// The cycle that a block executes.
     fn cycle(&self, block: &Block) -> Option<Function> {
         block.words.iter().find_map(|word| match g_of(word, self.codes)? {
-            code @ G::Multiple(cycle) if cycle_block(cycle, block, 0) != CycleBlock::First => {
-                codes::function_of(code).map(|(function, _)| function)
+            code @ G::Multiple(cycle) if cycle_block(cycle, block) != CycleBlock::First => {
+                codes::g_code_of(code).map(GCode::function)
             }
             code @ (G::Motion(MotionMode::Cycle(_)) | G::Hole(_)) => {
-                codes::function_of(code).map(|(function, _)| function)
+                codes::g_code_of(code).map(GCode::function)
             }
             _ => None,
         })

@@ -18,15 +18,13 @@ impl Role {
     /// The role of a word other than G, M, N and O in a block of a form. `surface`: S is a cutting speed.
     pub fn of(word: &Word, form: Form, surface: bool, axes: Axes) -> Self {
         let letter = word.address;
-        match (letter, word.comma, form) {
-            (_, _, Form::MacroCall) if !matches!(letter, b'P' | b'L') => return Self::Argument,
-            (b'C', true, _) => return Self::Chamfer,
-            (b'R', true, _) => return Self::Rounding,
-            (b'A', true, _) => return Self::LineAngle,
-            (_, true, _) => return Self::Ignored,
-            _ => {}
+        if form == Form::MacroCall && !matches!(letter, b'P' | b'L') {
+            return Self::Argument;
         }
-        let role = role_in(words_of(form, axes), letter);
+        if word.comma {
+            return role_in(words::AFTER_COMMA, letter, true);
+        }
+        let role = role_in(words_of(form, axes), letter, false);
         match (role, letter) {
             (Self::Ignored, b'T') => Self::ToolAndOffset,
             (Self::Ignored | Self::SpindleSpeed, b'S') if surface => Self::CuttingSpeed,

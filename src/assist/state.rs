@@ -7,7 +7,7 @@ use super::fact::Quantity;
 use super::hover::{code_in_force, feed_of};
 use super::place::of_c;
 use super::role::Role;
-use crate::control::codes::{self, Function, G, Switch};
+use crate::control::codes::{self, Function, G, GCode, Switch};
 use crate::control::contour::ContourUse;
 use crate::control::macros::{Found, LOCALS};
 use crate::control::modal::{State, Target};
@@ -273,8 +273,8 @@ fn in_force(modal: Modal, state: &State, list: CodeList, pq_unit: PqUnit) -> InF
 fn code(code: G, list: CodeList) -> InForce {
     match codes::written(code, list) {
         Some(text) => {
-            let (function, role) = codes::function_of(code).unzip();
-            InForce::Code(text, function, role.flatten())
+            let found = codes::g_code_of(code);
+            InForce::Code(text, found.map(GCode::function), found.and_then(GCode::role))
         }
         None => InForce::Nothing,
     }

@@ -11,7 +11,7 @@ pub mod words;
 
 pub use function::{Function, Section};
 pub use registry::{
-    Effect, GCode, Row, function_of, g_code, g_codes, is_of_machine, m_code, m_codes, m_function, rows,
+    Effect, GCode, Row, g_code, g_code_of, g_codes, is_of_machine, m_code, m_codes, m_function, rows,
     written, written_m,
 };
 

@@ -53,6 +53,11 @@ pub const fn letters(letters: &[u8]) -> u32 {
     bits
 }
 
+/// The bits of the letters of some words.
+pub fn letters_of<'a>(words: impl IntoIterator<Item = &'a Word>) -> u32 {
+    words.into_iter().fold(0, |bits, word| bits | letters(&[word.address]))
+}
+
 impl<'b> Words<'b> {
     /// No words yet.
     #[inline]

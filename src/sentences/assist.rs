@@ -272,7 +272,7 @@ impl Speaker<'_> {
     /// Describes a proposal, and the source of its value.
     pub fn proposed(&self, what: &What) -> String {
         let function =
-            |code: G| codes::function_of(code).map_or("", |(found, _)| found.describe(self.language));
+            |code: G| codes::g_code_of(code).map_or("", |found| found.function().describe(self.language));
         let named =
             |told: Told, code: G| self.filled(told, &vec![("what", Value::Text(function(code).into()))]);
         let alone = |told: Told| self.filled(told, &Vec::new());

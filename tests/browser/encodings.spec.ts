@@ -15,6 +15,13 @@ const cases = (
 
 const encoding = (page: Page) => page.getByRole('combobox', { name: 'Encoding' });
 
+/** Opens the page and then a file. */
+async function openAlone(page: Page, name: string, bytes: Buffer): Promise<void> {
+  await open(page);
+  await openFile(page, name, bytes);
+  await expect(page.getByText(`Opened ${name}`)).toBeVisible();
+}
+
 async function save(page: Page): Promise<{ name: string; bytes: Buffer }> {
   const waiting = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Save file' }).click();
@@ -38,10 +45,8 @@ for (const [i, one] of cases.entries()) {
   test(`a program in ${one.encoding} is decoded correctly and saved unchanged, ${i + 1}`, { tag: '@night' }, async ({
     page,
   }) => {
-    await open(page);
     const name = `part-${i}.nc`;
-    await openFile(page, name, one.bytes);
-    await expect(page.getByText(`Opened ${name}`)).toBeVisible();
+    await openAlone(page, name, one.bytes);
     expect(await value(page)).toBe(folded(one.text));
     await expect(encoding(page)).toHaveValue(one.encoding);
     const saved = await save(page);
@@ -70,9 +75,7 @@ const ODD_FILES: [string, Buffer][] = [
 
 for (const [name, bytes] of ODD_FILES) {
   test(`arbitrary bytes are saved unchanged: ${name}`, async ({ page }) => {
-    await open(page);
-    await openFile(page, name, bytes);
-    await expect(page.getByText(`Opened ${name}`)).toBeVisible();
+    await openAlone(page, name, bytes);
     expect((await save(page)).bytes.toString('hex')).toBe(bytes.toString('hex'));
   });
 }

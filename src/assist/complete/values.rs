@@ -1,7 +1,7 @@
 //! Proposes words for a block, and values for them: from the blank, the tool and the text.
 
 use super::{Item, Proposing, What, Why, fixed};
-use crate::assist::form::{Form, cycle_block};
+use crate::assist::form::{Form, letters_without_comma};
 use crate::assist::role::{Role, axes};
 use crate::assist::signature::{WhenOmitted, lines, role_of};
 use crate::assist::snippet::{Piece, written};
@@ -46,7 +46,8 @@ impl Proposing<'_> {
             Form::Nothing => Form::Motion { mode: self.state.motion, own: false },
             // The word without its value is not in the block yet, and may decide which block of the cycle it is.
             Form::Multiple(cycle, _) => {
-                Form::Multiple(cycle, cycle_block(cycle, self.asked.block, letters(&[letter])))
+                let given = letters_without_comma(self.asked.block) | letters(&[letter]);
+                Form::Multiple(cycle, cycle.spec().block(given))
             }
             form => form,
         };

@@ -1,4 +1,4 @@
-//! What each turning cycle is: its code, its blocks, and the words of each block with their roles.
+//! The turning cycles: the code of each, its blocks, and the words of each block with their roles.
 //!
 //! This is the only list of these words. The registry of codes, the check for two cycle blocks in one, the help,
 //! the snippets and the evidence for the decimal rule read it. The geometry of a cycle is in `crate::cycles`, its
@@ -6,7 +6,7 @@
 
 use super::function::Function;
 use super::role::Role;
-use super::words::{Amount, CodeWord, Sample, role_in, word};
+use super::words::{Amount, CodeWord, FEED, START_ANGLE, Sample, word};
 use crate::control::words::letters;
 use crate::cycles::single::Single;
 use crate::motion::Cycle;
@@ -37,7 +37,7 @@ pub struct CycleSpec {
     pub whole_with: u32,
     /// Whether it reads the contour that P and Q name.
     pub reads_contour: bool,
-    /// The words of each form of the block.
+    /// The words of the first block.
     pub first: &'static [CodeWord],
     /// The words of the second block.
     pub second: &'static [CodeWord],
@@ -64,11 +64,6 @@ impl CycleSpec {
         }
     }
 
-    /// The role of a letter in a block.
-    pub fn role(&self, block: CycleBlock, letter: u8) -> Role {
-        role_in(self.words(block), letter)
-    }
-
     /// What the size of the word with a letter shows, if it is no coordinate.
     pub fn amount(&self, block: CycleBlock, letter: u8) -> Option<Amount> {
         self.words(block).iter().find(|word| word.letters.contains(&letter))?.amount
@@ -81,9 +76,8 @@ impl CycleSpec {
     }
 }
 
-const FEED: CodeWord = word(b"F", &[Role::Feed]).as_set();
-/// F of a block whose signature does not show it.
-const HIDDEN_FEED: CodeWord = word(b"F", &[Role::Feed]);
+/// F in the signature of a block.
+const SHOWN_FEED: CodeWord = FEED.as_set();
 const LEAD: CodeWord = word(b"F", &[Role::Lead]).must();
 const CONTOUR_FIRST: CodeWord = word(b"P", &[Role::ContourFirst]).must().sample(Sample::First);
 const CONTOUR_LAST: CodeWord = word(b"Q", &[Role::ContourLast]).must().sample(Sample::Last);
@@ -107,7 +101,7 @@ pub const FINISHING: CycleSpec = CycleSpec {
     whole_with: 0,
     reads_contour: true,
     first: &[],
-    second: &[CONTOUR_FIRST, CONTOUR_LAST, HIDDEN_FEED],
+    second: &[CONTOUR_FIRST, CONTOUR_LAST, FEED],
     whole: &[],
 };
 
@@ -124,7 +118,7 @@ pub const ROUGH_TURNING: CycleSpec = CycleSpec {
         word(b"R", &[Role::Escape]).as_set().amount(Amount::Cut).sample(Sample::Length(1.0)),
         // Written in place of U.
         word(b"W", &[Role::Ignored]).amount(Amount::Cut),
-        HIDDEN_FEED,
+        FEED,
     ],
     second: ROUGHING,
     whole: &[
@@ -133,7 +127,7 @@ pub const ROUGH_TURNING: CycleSpec = CycleSpec {
         ALLOWANCE_X,
         ALLOWANCE_Z,
         word(b"D", &[Role::PassDepth]).must(),
-        FEED,
+        SHOWN_FEED,
         FINISH_AFTER,
     ],
 };
@@ -148,7 +142,7 @@ pub const ROUGH_FACING: CycleSpec = CycleSpec {
         word(b"R", &[Role::Escape]).as_set().amount(Amount::Cut).sample(Sample::Length(1.0)),
         // Written in place of W.
         word(b"U", &[Role::Ignored]).amount(Amount::Cut),
-        HIDDEN_FEED,
+        FEED,
     ],
     whole: &[
         CONTOUR_FIRST,
@@ -156,7 +150,7 @@ pub const ROUGH_FACING: CycleSpec = CycleSpec {
         ALLOWANCE_X,
         ALLOWANCE_Z,
         word(b"D", &[Role::PassDepthZ]).must(),
-        FEED,
+        SHOWN_FEED,
         FINISH_AFTER,
     ],
     ..ROUGH_TURNING
@@ -168,7 +162,7 @@ const ROUGHING: &[CodeWord] = &[
     CONTOUR_LAST,
     ALLOWANCE_X,
     ALLOWANCE_Z,
-    FEED.sample(Sample::Feed(0.25)),
+    SHOWN_FEED.sample(Sample::Feed(0.25)),
     SPEED,
     TOOL,
     FINISH_AFTER,
@@ -183,14 +177,14 @@ pub const PATTERN: CycleSpec = CycleSpec {
         word(b"U", &[Role::ReliefX]).as_set().amount(Amount::Relief).sample(Sample::Length(4.0)),
         word(b"W", &[Role::ReliefZ]).as_set().amount(Amount::Relief).sample(Sample::Length(2.0)),
         word(b"R", &[Role::PatternPasses]).as_set().sample(Sample::Digits("3")),
-        HIDDEN_FEED,
+        FEED,
     ],
     second: &[
         CONTOUR_FIRST,
         CONTOUR_LAST,
         ALLOWANCE_X,
         ALLOWANCE_Z,
-        FEED.sample(Sample::Feed(0.25)),
+        SHOWN_FEED.sample(Sample::Feed(0.25)),
         SPEED,
         TOOL,
     ],
@@ -202,7 +196,7 @@ pub const PATTERN: CycleSpec = CycleSpec {
         word(b"I", &[Role::ReliefX]).zero(),
         word(b"K", &[Role::ReliefZ]).zero(),
         word(b"D", &[Role::PatternPasses]).must(),
-        FEED,
+        SHOWN_FEED,
     ],
     ..ROUGH_TURNING
 };
@@ -228,7 +222,7 @@ pub const FACE_PECKING: CycleSpec = CycleSpec {
         word(b"QK", &[Role::Peck, Role::Peck]),
         word(b"PI", &[Role::StepOver, Role::StepOver]),
         word(b"D", BOTTOM_RELIEF),
-        HIDDEN_FEED,
+        FEED,
     ],
     second: &[
         PECK_END_X,
@@ -236,7 +230,7 @@ pub const FACE_PECKING: CycleSpec = CycleSpec {
         word(b"P", STEP_OVER).zero(),
         word(b"Q", PECK).must().sample(Sample::Depth(5.0)),
         word(b"R", BOTTOM_RELIEF).zero(),
-        FEED.sample(Sample::Feed(0.1)),
+        SHOWN_FEED.sample(Sample::Feed(0.1)),
         word(b"D", BOTTOM_RELIEF),
     ],
     whole: &[
@@ -245,7 +239,7 @@ pub const FACE_PECKING: CycleSpec = CycleSpec {
         word(b"I", STEP_OVER).zero(),
         word(b"K", PECK).must(),
         word(b"D", BOTTOM_RELIEF).zero(),
-        FEED,
+        SHOWN_FEED,
         word(b"P", STEP_OVER),
         word(b"Q", PECK),
         word(b"R", BOTTOM_RELIEF),
@@ -262,7 +256,7 @@ pub const GROOVING: CycleSpec = CycleSpec {
         word(b"PI", &[Role::Peck, Role::Peck]),
         word(b"QK", &[Role::StepOver, Role::StepOver]),
         word(b"D", BOTTOM_RELIEF),
-        HIDDEN_FEED,
+        FEED,
     ],
     second: &[
         PECK_END_X.sample(Sample::Inward(10.0)),
@@ -270,7 +264,7 @@ pub const GROOVING: CycleSpec = CycleSpec {
         word(b"P", PECK).must().sample(Sample::Depth(2.0)),
         word(b"Q", STEP_OVER).zero().sample(Sample::Depth(2.0)),
         word(b"R", BOTTOM_RELIEF).zero(),
-        FEED.sample(Sample::Feed(0.1)),
+        SHOWN_FEED.sample(Sample::Feed(0.1)),
         word(b"D", BOTTOM_RELIEF),
     ],
     whole: &[
@@ -279,7 +273,7 @@ pub const GROOVING: CycleSpec = CycleSpec {
         word(b"I", PECK).must(),
         word(b"K", STEP_OVER).zero(),
         word(b"D", BOTTOM_RELIEF).zero(),
-        FEED,
+        SHOWN_FEED,
         word(b"P", PECK),
         word(b"Q", STEP_OVER),
         word(b"R", BOTTOM_RELIEF),
@@ -340,7 +334,7 @@ pub const THREADING: CycleSpec = CycleSpec {
         word(b"A", THREAD_ANGLE).zero(),
         word(b"P", &[Role::InfeedMethod]).may(),
         word(b"R", THREAD_TAPER),
-        word(b"Q", &[Role::StartAngle]),
+        START_ANGLE,
         STARTS,
     ],
 };
@@ -376,7 +370,7 @@ const TURNING_WORDS: &[CodeWord] = &[
     CYCLE_END_X.sample(Sample::Smaller(2.0)),
     CYCLE_END_Z.sample(Sample::Along(2.0 / 3.0)),
     word(b"R", &[Role::TaperX]).zero(),
-    FEED.sample(Sample::Feed(0.2)),
+    SHOWN_FEED.sample(Sample::Feed(0.2)),
     word(b"I", &[Role::TaperX]),
 ];
 
@@ -392,7 +386,7 @@ const FACING_WORDS: &[CodeWord] = &[
     CYCLE_END_X.sample(Sample::Inward(20.0)),
     CYCLE_END_Z.sample(Sample::Behind(1.0)),
     word(b"R", &[Role::TaperZ]).zero(),
-    FEED.sample(Sample::Feed(0.2)),
+    SHOWN_FEED.sample(Sample::Feed(0.2)),
     word(b"K", &[Role::TaperZ]),
 ];
 
@@ -408,7 +402,6 @@ const SINGLE_LEAD: CodeWord = word(b"F", &[Role::Lead]).as_set().sample(Sample::
 const SINGLE_THREAD_X: CodeWord = CYCLE_END_X.sample(Sample::Smaller(0.5));
 const SINGLE_THREAD_Z: CodeWord = CYCLE_END_Z.sample(Sample::Along(2.0 / 3.0));
 const SINGLE_TAPER: CodeWord = word(b"R", &[Role::TaperX]).zero();
-const START_ANGLE: CodeWord = word(b"Q", &[Role::StartAngle]);
 const PULL_OUT_ACROSS: CodeWord = word(b"J", &[Role::PullOutAcross]);
 const PULL_OUT_ALONG: CodeWord = word(b"K", &[Role::PullOutAlong]);
 /// Words of G92 for leads in other units.

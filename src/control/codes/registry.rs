@@ -520,9 +520,9 @@ pub fn m_codes() -> impl Iterator<Item = (u16, M, Function, Option<Role>)> {
     M_CODES.iter().map(|code| (code.number, code.code, code.function, code.role))
 }
 
-/// The table row of a G code, and its meaning if the row has several codes.
-pub fn function_of(code: G) -> Option<(Function, Option<Role>)> {
-    G_CODES.iter().find(|other| other.code == code).map(|found| (found.function, found.role))
+/// The G code with a meaning.
+pub fn g_code_of(code: G) -> Option<&'static GCode> {
+    G_CODES.iter().find(|other| other.code == code)
 }
 
 /// The table row of an M code, and its meaning if the row has several codes.

@@ -1,6 +1,6 @@
 //! The words of the codes: their letters, roles and defaults.
 //!
-//! This is the only list of the words of moves, holes, calls and one-shot codes; `cycles` has those of the turning
+//! This is the only list of the words of moves, holes, calls and one-shot codes; `cycles` has the words of the turning
 //! cycles. The help, the completion and the snippets read them. A code has one list for each set of axes and
 //! plane in which its words differ.
 
@@ -144,9 +144,9 @@ pub const fn word(letters: &'static [u8], roles: &'static [Role]) -> CodeWord {
     CodeWord { letters, comma: false, roles, otherwise: None, amount: None, sample: None }
 }
 
-/// The role of a letter in a list of words.
-pub fn role_in(words: &[CodeWord], letter: u8) -> Role {
-    let own = words.iter().filter(|word| !word.comma);
+/// The role of a letter in a list of words. `comma`: it follows a comma.
+pub fn role_in(words: &[CodeWord], letter: u8, comma: bool) -> Role {
+    let own = words.iter().filter(|word| word.comma == comma);
     own.filter_map(|word| word.role(letter)).next().unwrap_or(Role::Ignored)
 }
 
@@ -165,12 +165,17 @@ const X: CodeWord = word(b"XU", &[Role::EndX, Role::WayX]);
 const Z: CodeWord = word(b"ZW", &[Role::EndZ, Role::WayZ]);
 const C: CodeWord = word(b"CH", &[Role::EndC, Role::WayC]);
 const Y: CodeWord = word(b"YV", &[Role::EndY, Role::WayY]);
-const FEED: CodeWord = word(b"F", &[Role::Feed]);
+/// F, the feed rate.
+pub const FEED: CodeWord = word(b"F", &[Role::Feed]);
+/// Q, the start angle of a thread.
+pub const START_ANGLE: CodeWord = word(b"Q", &[Role::StartAngle]);
 const LEAD: CodeWord = word(b"F", &[Role::Lead]).as_set();
 const LEAD_E: CodeWord = word(b"E", &[Role::Lead]);
 const COMMA_C: CodeWord = word(b"C", &[Role::Chamfer]).after_comma();
 const COMMA_R: CodeWord = word(b"R", &[Role::Rounding]).after_comma();
 const COMMA_A: CodeWord = word(b"A", &[Role::LineAngle]).after_comma();
+/// The words after a comma. They have these roles in every block.
+pub const AFTER_COMMA: &[CodeWord] = &[COMMA_C, COMMA_R, COMMA_A];
 /// Corners and the angle without a comma.
 const CORNERS: CodeWord = word(
     b"RLDIKA",
@@ -241,7 +246,7 @@ const THREAD: &[CodeWord] = &[
     X.stays(),
     Z.stays(),
     LEAD,
-    word(b"Q", &[Role::StartAngle]).zero(),
+    START_ANGLE.zero(),
     LEAD_E,
     word(b"I", &[Role::ThreadsPerInch]),
     word(b"JK", &[Role::PullOutAcross, Role::PullOutAlong]),
@@ -253,7 +258,7 @@ const VARIABLE_THREAD: &[CodeWord] = &[
     Z.stays(),
     LEAD,
     word(b"K", &[Role::LeadChange]).must(),
-    word(b"Q", &[Role::StartAngle]),
+    START_ANGLE,
     LEAD_E,
     word(b"J", &[Role::PullOutAcross]),
     C,

@@ -8,8 +8,8 @@ use crate::control::codes::{self, Compensation, G, M, MotionMode, Switch};
 use crate::control::contour::ContourUse;
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::Event;
-use crate::control::words::letters;
 use crate::control::words::{self, Words, quote};
+use crate::control::words::{letters, letters_of};
 use crate::message::{Diagnostic, Fix, Severity, said};
 use crate::motion::{Quill, SpindleTurn};
 use crate::parts::{Part, early};
@@ -268,8 +268,7 @@ early! {
         let second = |word: &Word| letters(&[word.address]) & spec.cuts_with != 0;
         let at = block.words.iter().position(second).unwrap_or(0);
         let (before, behind) = block.words.split_at(at);
-        let all = |words: &[Word]| words.iter().fold(0, |all, word| all | letters(&[word.address]));
-        let is_in_both = all(before) & all(behind) & spec.first_letters() != 0;
+        let is_in_both = letters_of(before) & letters_of(behind) & spec.first_letters() != 0;
         let Some(begins) = behind.first().filter(|_| is_in_both) else { return false };
         let list = control.dialect.code_list();
         let is_cycle = |word: &&Word| {

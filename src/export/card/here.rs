@@ -15,7 +15,7 @@ const LEVEL: f64 = 1e-6;
 
 /// The effect of the function in this block, whose motions are `own`.
 pub(super) fn here(function: Function, block: &Block, own: &[Motion], language: Language) -> Option<String> {
-    let is_first = |cycle: Multiple| cycle_block(cycle, block, 0) == CycleBlock::First;
+    let is_first = |cycle: Multiple| cycle_block(cycle, block) == CycleBlock::First;
     let phrases = match function {
         Function::TurningCycle if is_taper(own, across)? => {
             ["turning cycle, taper", "锥面切削循环", "цикл точения конуса"]
