@@ -147,12 +147,11 @@ mod tests {
 
     #[test]
     fn a_repair_that_is_still_open_is_named() {
-        // The letter O is an error, so brackets around the text are not safe yet.
-        let text = b"G00 X5O retract\nM30";
-        let repaired = within(1, text, &Setup::default(), &|_| true);
-        assert_eq!(repaired.text, b"G00 X50 retract\nM30");
-        assert_eq!(repaired.open, Some(Repair::Write { text: "(retract)".into() }));
-        assert_eq!(within(2, text, &Setup::default(), &|_| true).open, None);
+        let text = b"G00 X5O\nM30";
+        let repaired = within(0, text, &Setup::default(), &|_| true);
+        assert_eq!(repaired.text, text);
+        assert_eq!(repaired.open, Some(Repair::Write { text: "X50".into() }));
+        assert_eq!(within(1, text, &Setup::default(), &|_| true).open, None);
     }
 
     #[test]

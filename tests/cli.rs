@@ -73,7 +73,7 @@ fn every_switch_of_a_setup_is_read() {
 
 #[test]
 fn check_prints_one_object_a_line() {
-    let output = run(&["check", "--format", "json", "-"], "(外圆)\n(😀) GO1 X5\nM30".as_bytes());
+    let output = run(&["check", "--format", "json", "-"], "(外圆)\n(😀) GO0 X5\nM30".as_bytes());
     let rows = rows(&output);
     assert_eq!(rows.len(), 1);
     let row = &rows[0];
@@ -86,7 +86,7 @@ fn check_prints_one_object_a_line() {
     );
     assert!(row["slug"].is_string() && row["message"].is_string() && row["help"].is_string());
     let edit = &row["fixes"][0]["edits"][0];
-    assert_eq!((&edit["column"], &edit["endColumn"], &edit["text"]), (&json!(6), &json!(9), &json!("G01")));
+    assert_eq!((&edit["column"], &edit["endColumn"], &edit["text"]), (&json!(6), &json!(9), &json!("G00")));
     assert_eq!(row["fixes"][0]["safe"], json!(true));
 }
 

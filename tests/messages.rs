@@ -99,7 +99,7 @@ fn writing() {
     check("G00 X50 Z\n//      ^ PS0005");
     check("G00 X50 ?\n//      ^ PS0009");
     check("G00 X50 Z,15\n//      ^^^^ E-OCR");
-    check("   GO1 X50\n// ^^^ E-OCR");
+    check("   GO0 X50\n// ^^^ E-OCR");
     check("   hello world\n// ^^^^^^^^^^^ E-PLAIN-TEXT");
     check("G00 (open\n//  ^ W-COMMENT-OPEN");
 }

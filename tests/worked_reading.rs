@@ -600,3 +600,27 @@ fn a_part_with_too_many_motions_is_reported_without_a_blank() {
         assert_eq!(told.count(), usize::from(analysis.motions.len() > 5), "{text}");
     }
 }
+
+/// The first example with the letter o in place of a zero in any X or Z: one message, and the motions of the
+/// right program. Nothing that follows is reported, because the word can only be meant as the number.
+#[test]
+fn one_typing_error_has_one_message() {
+    let read = |file: &str| std::fs::read_to_string(format!("tests/programs/s000-o0002/{file}"));
+    let (text, setup) = (read("program.nc").expect("a program"), read("setup.json").expect("a setup"));
+    assert_eq!(told(&text, &setup), [""; 0]);
+    let right = ends(&text, &setup);
+    let mut tried = 0;
+    for (at, _) in text.match_indices('0') {
+        let word = text[..at].rfind(char::is_alphabetic).expect("an address");
+        // A zero with a digit before it, in a coordinate.
+        if !b"XZ".contains(&text.as_bytes()[word]) || !text.as_bytes()[at - 1].is_ascii_digit() {
+            continue;
+        }
+        let wrong = format!("{}o{}", &text[..at], &text[at + 1..]);
+        let line = text[..at].matches('\n').count() + 1;
+        assert_eq!(told(&wrong, &setup), [format!("letter-for-digit {line}")], "{wrong}");
+        assert_eq!(ends(&wrong, &setup), right, "{wrong}");
+        tried += 1;
+    }
+    assert_eq!(tried, 15);
+}

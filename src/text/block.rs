@@ -89,13 +89,9 @@ impl Block {
         self.kind == BlockKind::Words && self.words.is_empty() && self.program.is_none()
     }
 
-    /// Whether an error in its notation prevents its execution. A comma that can only be the decimal point
-    /// does not.
+    /// Whether an error in its notation prevents its execution.
     pub fn is_broken(&self) -> bool {
-        let is_read = |fault: &Diagnostic| {
-            fault.message.is::<said::CommaForPoint>() && fault.fixes.iter().any(|fix| fix.safe)
-        };
-        self.faults.iter().any(|fault| fault.is_error() && !is_read(fault))
+        self.faults.iter().any(|fault| fault.is_error() && !is_read_as_meant(fault))
     }
 
     /// Whether it has more words than are kept.
@@ -168,4 +164,12 @@ impl Block {
             _ => self.span,
         }
     }
+}
+
+/// Whether the word of an error in the notation was read as it can only be meant: a comma that is the decimal
+/// point, the letter O that is a zero. The block is executed, so that one typing error has no further messages.
+pub fn is_read_as_meant(fault: &Diagnostic) -> bool {
+    let has_one_reading =
+        fault.message.is::<said::CommaForPoint>() || fault.message.is::<said::LetterForDigit>();
+    has_one_reading && fault.fixes.iter().any(|fix| fix.safe)
 }

@@ -15,7 +15,7 @@ use crate::control::words::{Words, letters, plain};
 use crate::limits::BYTES_PER_STEP;
 use crate::message::{Diagnostic, said};
 use crate::setup::dialect::XuConflict;
-use crate::text::block::{Block, Value};
+use crate::text::block::{Block, Value, is_read_as_meant};
 use crate::text::parser::{Parser, Resume};
 
 /// The position of the tip.
@@ -320,7 +320,9 @@ impl Interpreter {
 /// The doubts that the syntax errors of a block cause.
 pub(super) fn faults_of(text: &[u8], block: &Block) -> Doubts {
     let mut lost = Doubts::default();
-    for fault in block.faults.iter().filter(|fault| fault.is_error() && !is_text(fault)) {
+    for fault in
+        block.faults.iter().filter(|fault| fault.is_error() && !is_text(fault) && !is_read_as_meant(fault))
+    {
         // If text may be words with misread digits, each of its letters may be an address.
         let addresses = fault.span.of(text);
         let most = if reads_as_text(fault) { addresses.len() } else { 1 };
