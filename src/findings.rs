@@ -257,7 +257,11 @@ fn removal(unusual: &Unusual, motions: &Motions) -> Message {
     let tenth = |length: f64| (10.0 * length).round() / 10.0;
     let hundredth = |length: f64| (100.0 * length).round() / 100.0;
     match unusual.removal {
-        Removal::Nothing(cycle) => said::CycleCutsAir { code: cycle.code() }.into(),
+        Removal::Nothing(Some(cycle)) => said::CycleCutsAir { code: cycle.code() }.into(),
+        Removal::Nothing(None) => {
+            let (station, offset) = motions.get(unusual.motion).process.tool;
+            said::ToolCutsAir { tool: format!("T{station:02}{offset:02}") }.into()
+        }
         Removal::TooDeep { depth, most } => {
             said::CutTooDeep { depth: tenth(depth), most: tenth(most) }.into()
         }

@@ -51,6 +51,23 @@ fn a_cycle_takes_something_off() {
     says_of(groove, "G00 X62 Z-20\nG75 R0.5\nG75 X50 P2000 F0.08", &[]);
 }
 
+/// Plain moves of a tool that stay in the air: a digit too many, or a lost minus.
+#[test]
+fn a_tool_takes_something_off() {
+    says("G00 X62 Z2\nX560\nG01 Z-30 F0.2\nX562", &["tool-cuts-air 3"]);
+    says("G00 X56 Z2\nG01 Z-30 F0.2\nX62", &[]);
+    // A pass at the bar diameter, and a cut that repeats the last one.
+    says("G00 X60 Z2\nG01 Z-30 F0.2\nX62", &[]);
+    says("G00 X56 Z2\nG01 Z-30 F0.2\nX62\nG00 X200 Z200\nT0101\nG00 X56 Z2\nG01 Z-30 F0.1\nX62", &[]);
+    // A bar is seldom as long as it is said to be.
+    says("G00 X62 Z3\nG01 X-1 F0.2\nG00 Z5", &[]);
+    // The second tool cuts nothing; the first one does.
+    says(
+        "G00 X56 Z2\nG01 Z-30 F0.2\nX62\nG00 X200 Z200\nT0202\nG00 X540 Z2\nG01 Z-30 F0.1\nX542",
+        &["tool-cuts-air 7"],
+    );
+}
+
 /// A pass within an earlier one removes nothing; a repeated last pass is a spring pass (seed 000, O0002).
 #[test]
 fn a_pass_within_an_earlier_one_is_found() {
@@ -173,7 +190,7 @@ fn a_cut_ends_with_the_blank() {
     // Z with an extra digit is the fault, not the taper height that does not match it.
     says("G00 X72 Z2\nG90 X58 Z-300 R-1 F0.2", &["cut-beyond-blank 2"]);
     // Outside of the work, and with a drill, because of its point.
-    says("G00 X62 Z2\nG01 Z-110 F0.2\nG00 X70", &[]);
+    says("G00 X62 Z2\nG01 Z-110 F0.2\nG00 X70", &["tool-cuts-air 2"]);
     let drill = "O0001 (STOCK D=60 LENGTH=100)\n(TOOL T0202 TYPE=DRILL D=10)\nT0202\nG97 S800 M03\n";
     says_of(drill, "G00 X0 Z5\nG01 Z-110 F0.1\nG00 Z5", &[]);
 }

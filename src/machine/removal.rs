@@ -29,8 +29,8 @@ pub struct Unusual {
 /// A kind of unusual removal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Removal {
-    /// No move of a cycle call comes near the workpiece.
-    Nothing(Cycle),
+    /// No move of a cycle call comes near the workpiece; without a cycle, no plain cut of a tool.
+    Nothing(Option<Cycle>),
     /// A cut is deeper than an insert bears. Lengths in mm, across the cut.
     TooDeep {
         /// Depth of the cut.
@@ -85,6 +85,18 @@ struct Call {
     repeats: bool,
 }
 
+/// The cuts of a tool until the next T word.
+#[derive(Clone, Copy, Debug)]
+struct PlainCuts {
+    /// Station and offset of the T word.
+    tool: (u16, u16),
+    first: Option<usize>,
+    /// Whether it touches the work, or whether its cuts are checked elsewhere.
+    takes: bool,
+    /// Least Z of its ends, mm.
+    back: f64,
+}
+
 /// Checks the removal of material, motion by motion.
 #[derive(Clone, Debug)]
 pub struct RemovalWatch {
@@ -93,6 +105,7 @@ pub struct RemovalWatch {
     /// The motion from which on nothing is checked.
     end: usize,
     call: Option<Call>,
+    plain: Option<PlainCuts>,
     /// Blocks of cycles that have removed material. When they run again, for the next part, they need not
     /// remove anything.
     done: BTreeSet<u32>,
@@ -118,6 +131,7 @@ impl RemovalWatch {
             stock: given.map(|given| given.0),
             end: end.unwrap_or(usize::MAX),
             call: None,
+            plain: None,
             done: BTreeSet::new(),
             threads: Threads::default(),
             run_outs: RunOuts::default(),
@@ -140,6 +154,7 @@ impl RemovalWatch {
         let is_turned = motion.rotary.is_none() && tool.shape.action != Action::Live;
         if !process.removes_material() || process.incomplete || !is_turned {
             (self.call, self.threads) = (None, Threads::default());
+            self.cuts_of(motion).takes = true;
             return;
         }
         if motion.kind == MotionKind::Thread {
@@ -150,6 +165,7 @@ impl RemovalWatch {
             }
         }
         self.cycle(index, motion, block, tool, part);
+        self.plain_cut(index, motion, tool, part);
         if !motion.kind.cuts() {
             return;
         }
@@ -168,6 +184,7 @@ impl RemovalWatch {
     /// Ends the checks after the last motion.
     pub fn finish(&mut self) {
         self.close();
+        self.close_plain();
         let over = self.threads.close();
         self.found.extend(over.map(thread_depth));
     }
@@ -215,12 +232,9 @@ impl RemovalWatch {
         }
         if !call.takes {
             let now = part.now();
-            let at = |shift: Point| meets(now, motion, shift, tool);
             call.takes = match roughs {
-                true => at(Point::new(0.0, 0.0)),
-                false => [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
-                    .into_iter()
-                    .any(|(x, z)| at(Point::new(FINISHING * x, FINISHING * z))),
+                true => meets(now, motion, Point::new(0.0, 0.0), tool),
+                false => touches(now, motion, tool),
             };
         }
     }
@@ -231,11 +245,47 @@ impl RemovalWatch {
             return;
         };
         let faces = matches!(cycle, Cycle::Facing | Cycle::RoughFacing);
-        let is_in_front = |stock: Stock| back > stock.face - FINISHING && back < stock.face + SAWN;
-        if takes || faces && self.stock.is_some_and(is_in_front) {
+        if takes || faces && self.is_just_in_front(back) {
             self.done.insert(block);
         } else if self.done.insert(block) {
-            self.report(first, Removal::Nothing(cycle));
+            self.report(first, Removal::Nothing(Some(cycle)));
+        }
+    }
+
+    /// Whether a cut that ends at this Z is just in front of the blank: a bar is seldom as long as stated.
+    fn is_just_in_front(&self, z: f64) -> bool {
+        self.stock.is_some_and(|stock| z > stock.face - FINISHING && z < stock.face + SAWN)
+    }
+
+    /// The cuts of the tool of a motion.
+    fn cuts_of(&mut self, motion: &Motion) -> &mut PlainCuts {
+        let tool = motion.process.tool;
+        if self.plain.is_some_and(|cuts| cuts.tool != tool) {
+            self.close_plain();
+        }
+        let new = PlainCuts { tool, first: None, takes: false, back: f64::INFINITY };
+        self.plain.get_or_insert(new)
+    }
+
+    /// Checks a motion with the other cuts of its tool.
+    fn plain_cut(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool, part: &mut Part) {
+        let cuts = self.cuts_of(motion);
+        if cuts.takes || !motion.kind.cuts() {
+            return;
+        }
+        cuts.first.get_or_insert(index);
+        cuts.back = cuts.back.min(motion.to.z);
+        let is_plain = motion.cycle.is_none()
+            && matches!(tool.tool.kind, Some(ToolKind::Turning | ToolKind::Boring | ToolKind::Grooving));
+        cuts.takes = !is_plain || touches(part.now(), motion, tool);
+    }
+
+    /// Ends the cuts of a tool.
+    fn close_plain(&mut self) {
+        if let Some(PlainCuts { first: Some(first), takes: false, back, .. }) = self.plain.take()
+            && !self.is_just_in_front(back)
+        {
+            self.report(first, Removal::Nothing(None));
         }
     }
 }
@@ -255,6 +305,12 @@ fn meets(now: &Region, motion: &Motion, shift: Point, tool: &ResolvedTool) -> bo
         ..*motion
     };
     cut(&beside, &Turned::default(), tool).iter().any(|outline| now.overlaps(outline))
+}
+
+/// Whether a cut removes material, or a finishing allowance of it.
+fn touches(now: &Region, motion: &Motion, tool: &ResolvedTool) -> bool {
+    let shifts = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
+    shifts.into_iter().any(|(x, z)| meets(now, motion, Point::new(FINISHING * x, FINISHING * z), tool))
 }
 
 /// Z of the end of a cut within the blank that continues far beyond its back.
