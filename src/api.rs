@@ -568,7 +568,10 @@ fn to_micrometres(value: f64) -> f64 {
 #[serde(rename_all = "camelCase")]
 pub struct Dimension {
     /// The kind of edge.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "'cylinder' | 'face' | 'taper' | 'arc' | 'thread'"))]
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "'cylinder' | 'face' | 'taper' | 'arc' | 'thread' | 'across'")
+    )]
     pub kind: &'static str,
     /// Diameters of the ends, mm; for a thread, minor and major diameter.
     pub x: [Diameter; 2],
@@ -605,6 +608,7 @@ impl Dimension {
             Shape::Face => ("face", [from.x, to.x]),
             Shape::Taper { .. } => ("taper", [from.x, to.x]),
             Shape::Arc { .. } => ("arc", [from.x, to.x]),
+            Shape::Across => ("across", [from.x, to.x]),
             Shape::Thread { minor, major, .. } => ("thread", [minor, major]),
         };
         let (mut angle, mut ratio, mut radius, mut lead) = (None, None, None, None);
@@ -614,7 +618,7 @@ impl Dimension {
             }
             Shape::Arc { radius: own } => radius = Some(to_micrometres(own)),
             Shape::Thread { lead: own, .. } => lead = Some(to_micrometres(own)),
-            Shape::Cylinder | Shape::Face => {}
+            Shape::Cylinder | Shape::Face | Shape::Across => {}
         }
         Self {
             kind,
@@ -647,6 +651,8 @@ pub struct Totals {
     pub unknown_cuts: u32,
     /// Number of rapids with an unknown duration: the rapid rate of the machine is not given.
     pub unknown_rapids: u32,
+    /// Seconds of those rapids at the assumed rate, 8 m/min.
+    pub assumed_seconds: f64,
     /// Path length at feed, mm.
     pub cut: f64,
     /// Path length at rapid, mm.
@@ -669,6 +675,7 @@ impl Totals {
             seconds: rounded(own.time.known),
             unknown_cuts: own.time.unknown_cuts,
             unknown_rapids: own.time.unknown_rapids,
+            assumed_seconds: rounded(own.time.assumed),
             cut: rounded(own.cut),
             rapid: rounded(own.rapid),
             low: own.extents.map(|extents| place(extents.min)),

@@ -277,7 +277,11 @@ impl Reader<'_> {
         let (from, to) = self.places.offsets(hover.span);
         let quoted = hover.span.quote(self.places.text);
         let word = quoted.split_whitespace().collect::<Vec<_>>().join(" ");
-        let facts: Vec<_> = hover.facts.iter().map(|fact| self.line(fact)).collect();
+        let block = hover
+            .block
+            .iter()
+            .map(|block| HelpLine { text: self.speak(|speaker| speaker.explanation(block)), at: None });
+        let facts: Vec<_> = block.chain(hover.facts.iter().map(|fact| self.line(fact))).collect();
         let marks = hover.facts.iter().filter_map(|fact| match fact {
             Fact::Contour(first, last) => Some(self.places.offsets(first.to(*last))),
             _ => None,
@@ -332,8 +336,12 @@ impl Reader<'_> {
     ) -> Option<CompletionHelp> {
         let completion = asked.complete(byte, end, is_explicit)?;
         let (from, to) = self.places.offsets(completion.span);
-        let items = completion.items.iter().map(|item| self.proposal(item)).collect();
-        Some(CompletionHelp { from, to, items })
+        let typed = completion.span.quote(self.places.text).to_lowercase();
+        let by_name = completion.by_name.iter().filter(|item| !completion.items.contains(item));
+        let by_name = by_name.map(|item| self.proposal(item));
+        let by_name = by_name.filter(|proposal| proposal.detail.to_lowercase().contains(&typed));
+        let items: Vec<_> = completion.items.iter().map(|item| self.proposal(item)).chain(by_name).collect();
+        (!items.is_empty()).then_some(CompletionHelp { from, to, items })
     }
 
     /// The uses of the number at a byte; `None` if there is no number.

@@ -234,14 +234,14 @@ fn read_as(reading: difference::Reading, language: Language) -> Change {
 fn totals(both: &[difference::Totals; 2], language: Language) -> Vec<Change> {
     let of = |value: fn(&difference::Totals) -> String| both.each_ref().map(value);
     let mut rows = vec![
-        plain("time", Said::Time, of(|own| clock(own.time.known)), language),
+        plain("time", Said::Time, of(|own| clock(own.time.estimated())), language),
         plain("motions", Said::Motions, of(|own| own.motions.to_string()), language),
         plain("passes", Said::Passes, of(|own| own.passes.to_string()), language),
         plain("cut", Said::Cut, of(|own| number(rounded((10.0 * own.cut).round() / 10.0))), language),
         plain("rapid", Said::Rapid, of(|own| number(rounded((10.0 * own.rapid).round() / 10.0))), language),
         plain("tools", Said::Tools, of(tools), language),
     ];
-    let without = of(|own| (own.time.unknown_cuts + own.time.unknown_rapids).to_string());
+    let without = of(|own| own.time.unknown_cuts.to_string());
     if without.iter().any(|count| count != "0") {
         rows.insert(1, plain("withoutTime", Said::WithoutTime, without, language));
     }

@@ -85,6 +85,8 @@ pub struct Time {
     pub unknown_cuts: u32,
     /// Number of rapids with an unknown duration.
     pub unknown_rapids: u32,
+    /// Seconds of those rapids at the assumed rate, 8 m/min.
+    pub assumed_seconds: f64,
 }
 
 /// A stop: the program waits for the operator.
@@ -171,6 +173,7 @@ impl Time {
             seconds: rounded(total.known),
             unknown_cuts: total.unknown_cuts,
             unknown_rapids: total.unknown_rapids,
+            assumed_seconds: rounded(total.assumed),
         }
     }
 }

@@ -11,10 +11,11 @@ use serde::Serialize;
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;
 
-use super::{Edit, Places};
+use super::{Edit, Places, to_micrometres};
 use crate::machine::defaults::with_defaults;
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::message::{Levels, Severity};
+use crate::motion::Motions;
 use crate::sentences::{Language, labels};
 use crate::setup::as_comments::{self, Change};
 use crate::setup::dialect::{DecimalChoice, DecimalRule, Dialect, DialectChoice, GSystem};
@@ -22,6 +23,7 @@ use crate::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
 use crate::setup::fields::{self, Entry, Field, Value};
 use crate::setup::notes::{Notes, tool_name};
 use crate::setup::{Machine, Setup, Tool, ToolKind};
+use crate::units::Diameter;
 
 /// Which of stock and tools are given, and which are inferred.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,6 +33,14 @@ pub struct SetupOverview {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"given\" | \"inferred\""))]
     pub stock: Option<&'static str>,
+    /// Diameter and length of the blank, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "readonly [number, number]"))]
+    pub blank: Option<[f64; 2]>,
+    /// X (a diameter) and Z of the tool before the first motion, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "readonly [number, number]"))]
+    pub start: Option<[f64; 2]>,
     /// The tools in use.
     pub tools: Vec<ToolOverview>,
 }
@@ -181,8 +191,8 @@ pub struct FormInput<'a> {
 }
 
 impl SetupOverview {
-    /// The overview of a resolved setup.
-    pub fn new(resolved: &ResolvedSetup, language: Language) -> Self {
+    /// The overview of a resolved setup, and of a program's motions.
+    pub fn new(resolved: &ResolvedSetup, motions: &Motions, language: Language) -> Self {
         let name = |basis: Basis| match basis {
             Basis::Given => "given",
             Basis::Inferred | Basis::Unknown => "inferred",
@@ -192,7 +202,13 @@ impl SetupOverview {
             kind: labels::tool_kind(tool.tool.kind.unwrap_or(ToolKind::Turning), language).into(),
             known: name(tool.basis),
         });
-        Self { stock: resolved.stock().map(|stock| name(stock.1)), tools: tools.collect() }
+        let start = (!motions.is_empty()).then(|| motions.get(0).from);
+        Self {
+            stock: resolved.stock().map(|stock| name(stock.1)),
+            blank: resolved.stock().map(|(stock, _)| [stock.diameter.mm(), stock.length].map(to_micrometres)),
+            start: start.map(|at| [Diameter::from_radius(at.x).mm(), at.z].map(to_micrometres)),
+            tools: tools.collect(),
+        }
     }
 }
 

@@ -27,6 +27,9 @@ use crate::text::program_name;
 /// Maximum number of proposals of one kind.
 const MAX_PROPOSALS: usize = 60;
 
+/// Minimum number of bytes of a typed name: "rou", one Chinese character.
+const LETTERS_OF_NAME: usize = 3;
+
 /// Proposals for a place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Completion {
@@ -34,6 +37,8 @@ pub struct Completion {
     pub span: Span,
     /// The proposals, the most likely first.
     pub items: Vec<Item>,
+    /// Snippets to propose if their description contains the typed text: "rough" for G71.
+    pub by_name: Vec<Item>,
 }
 
 /// A proposal.
@@ -96,9 +101,17 @@ impl Query<'_> {
         let own = self.block.span.start <= byte && self.block.span.start >= line.start;
         let around = Around::of(self.text, line, self.codes);
         let proposing = Proposing { asked: self, state, own, span, line, around };
+        // `G71 `: the whole cycle in place of its code.
+        if let (Prefix::Nothing, true, true, Some(code)) = (prefix, is_explicit, own, self.only_code()) {
+            let items = proposing.cycles(&code.quote(self.text).to_ascii_uppercase());
+            if !items.is_empty() {
+                let span = Span { start: code.start, end: span.end };
+                return Some(Completion { span, items, by_name: Vec::new() });
+            }
+        }
         let typed = span.quote(self.text).to_ascii_uppercase();
         let mut items = match prefix {
-            Prefix::Word(b'G') => proposing.g_codes(),
+            Prefix::Word(b'G') => proposing.g_codes(&typed),
             Prefix::Word(b'M') => proposing.m_codes(),
             Prefix::Word(b'N') => proposing.next_sequence(),
             Prefix::Word(b'O') => proposing.snippets(),
@@ -109,12 +122,23 @@ impl Query<'_> {
             Prefix::Letters => proposing.snippets(),
             Prefix::Nothing => proposing.anything(is_explicit),
         };
-        items.retain(|item| begins_with(item, &typed, prefix));
-        items.truncate(MAX_PROPOSALS);
+        let is_name = prefix == Prefix::Letters && typed.len() >= LETTERS_OF_NAME;
+        let by_name = if is_name { items.clone() } else { Vec::new() };
         // A proposal equal to the typed text is useless.
-        let is_nothing_new =
-            matches!(&items[..], [Item { pieces, .. }] if pieces[..] == [Piece::Fixed(typed)]);
-        (!items.is_empty() && !is_nothing_new).then_some(Completion { span, items })
+        items.retain(|item| {
+            begins_with(item, &typed, prefix)
+                && !matches!(&item.pieces[..], [Piece::Fixed(text)] if *text == typed)
+        });
+        items.truncate(MAX_PROPOSALS);
+        (!items.is_empty() || !by_name.is_empty()).then_some(Completion { span, items, by_name })
+    }
+
+    /// The code of a block without other words.
+    fn only_code(&self) -> Option<Span> {
+        match &self.block.words[..] {
+            [word] if word.address == b'G' && !word.comma => Some(word.span),
+            _ => None,
+        }
     }
 }
 
@@ -140,16 +164,19 @@ fn fixed(text: impl Into<String>, what: What) -> Item {
 impl Proposing<'_> {
     // ---- codes ------------------------------------------------------------------------------------------
 
-    /// The G codes of the control, ordered by how likely they are here.
-    fn g_codes(&self) -> Vec<Item> {
+    /// The G codes of the control, ordered by how likely they are here. After a digit, whole cycles come first.
+    fn g_codes(&self, typed: &str) -> Vec<Item> {
         let list = self.asked.codes;
         let is_supported = |(_, code): &(String, &GCode)| code.code != G::NotSupported;
         let mut codes: Vec<_> = codes::g_codes(list).filter(is_supported).collect();
         order::by_key(&mut codes, |(_, code)| self.rank_g(code.code));
-        let continued = self.second_block().map(|snippet| self.snippet(snippet));
+        let cycles = match typed {
+            "G" => self.second_block().map(|snippet| self.snippet(snippet)).into_iter().collect(),
+            _ => self.cycles(typed),
+        };
         let codes =
             codes.into_iter().map(|(written, code)| fixed(written, What::Code(code.function(), code.role())));
-        continued.into_iter().chain(codes).collect()
+        cycles.into_iter().chain(codes).collect()
     }
 
     /// Rank of a code, the most likely first.
@@ -259,6 +286,13 @@ impl Proposing<'_> {
             .filter(|snippet| snippet.is_there(self.asked.dialect))
             .map(|snippet| self.snippet(snippet))
             .collect()
+    }
+
+    /// The snippets that begin with a typed code, or with the begun one.
+    fn cycles(&self, typed: &str) -> Vec<Item> {
+        let is_cycle = |item: &Item| matches!(item.what, What::Snippet(snippet) if snippet.code().is_some());
+        let begins = |item: &Item| is_cycle(item) && begins_with(item, typed, Prefix::Word(b'G'));
+        self.snippets().into_iter().filter(begins).collect()
     }
 
     fn snippet(&self, snippet: Snippet) -> Item {

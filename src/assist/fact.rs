@@ -39,6 +39,17 @@ pub enum Quantity {
     Variable(u32),
 }
 
+/// Why a block moves nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoMotion {
+    /// It names no axis.
+    WithoutAxis,
+    /// It leads to the position of the tool.
+    SamePlace,
+    /// Its code does not move the tool: G50, G10.
+    ByCode,
+}
+
 /// A known fact about a word or a block. Blocks are identified by their first byte.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fact {
@@ -56,6 +67,12 @@ pub enum Fact {
     ByFeed(Quantity, Option<u32>),
     /// Start and end of an incremental coordinate.
     FromTo(Quantity, Quantity),
+    /// The distance from the centre line that a diameter means.
+    FromCentre(Quantity),
+    /// Start and end of a taper's cut, diameters or lengths along Z, and its angle with the Z axis.
+    TaperFromTo(Quantity, Quantity, Quantity),
+    /// Start of that cut if R had the other sign.
+    TaperOtherSign(Quantity),
     /// Meaning of a number without a decimal point.
     WithoutPoint(Quantity),
     /// The feed per minute that a feed per revolution gives, and the spindle speed.
@@ -94,6 +111,8 @@ pub enum Fact {
     Argument(u32),
     /// During the thread cut, the feed override counts as 100 % and feed hold is delayed.
     ThreadLocked,
+    /// The block moves nothing.
+    NoMotion(NoMotion),
     /// The block is never executed.
     NotCarriedOut,
     /// The block is skipped: this level of block skip is on.

@@ -3,7 +3,8 @@
 //! In: an executed block, a place in it. Out: the word, its role, its value, and facts about it.
 
 use super::Query;
-use super::fact::{Fact, Quantity};
+use super::explain::Explanation;
+use super::fact::{Fact, NoMotion, Quantity};
 use super::form::{Form, g_of};
 use super::place::of_c;
 use super::role::{Role, axes};
@@ -18,9 +19,9 @@ use crate::control::tool_offset;
 use crate::control::words::{Reading, plain};
 use crate::cycles::single::Single;
 use crate::cycles::units::{self, Amount, Written};
-use crate::geometry::Point;
 use crate::geometry::virtual_plane::Surface;
-use crate::motion::{Cycle, CycleStep, Motions, SpindleTurn, Step};
+use crate::geometry::{Point, SAME};
+use crate::motion::{Cycle, CycleStep, Motion, Motions, SpindleTurn, Step};
 use crate::playback::timing;
 use crate::setup::dialect::{DecimalRule, FeedMode, PqUnit};
 use crate::source::Span;
@@ -41,13 +42,15 @@ pub struct Hover {
     pub role: Option<Role>,
     /// Its value.
     pub quantity: Option<Quantity>,
+    /// At a code: what the block does.
+    pub block: Option<Explanation>,
     /// Further facts, the most important first.
     pub facts: Vec<Fact>,
 }
 
 impl Hover {
     fn of(span: Span, role: Role) -> Self {
-        Self { span, function: None, role: Some(role), quantity: None, facts: Vec::new() }
+        Self { span, function: None, role: Some(role), quantity: None, block: None, facts: Vec::new() }
     }
 }
 
@@ -81,12 +84,37 @@ impl<'a> Query<'a> {
         if let Some(level) = block.delete.filter(|level| self.setup.block_skip.contains(level)) {
             hover.facts.push(Fact::Skipped(level));
         }
+        self.about_block(&mut hover, motions);
         match self.visit {
             Some(visit) if visit.purpose.is_some() => hover.facts.extend(visit.purpose.map(Fact::ReadBy)),
             Some(visit) if self.times > 1 => hover.facts.push(Fact::Time(visit.number, self.times)),
             _ => {}
         }
         Some(hover)
+    }
+
+    /// At a code: what the block does. At a code or an axis: why the block moves nothing.
+    fn about_block(&self, hover: &mut Hover, motions: &Motions) {
+        let Some(visit) = self.visit.filter(|visit| visit.purpose.is_none()) else { return };
+        let own = self.block.words.iter().find(|word| word.span == hover.span);
+        let Some(word) = own.filter(|word| b"GMXZUW".contains(&word.address)) else { return };
+        let explanation = self.explanation(motions);
+        if !explanation.actions.is_empty() {
+            if word.address == b'G' {
+                hover.block = Some(explanation);
+            }
+        } else if visit.motions.is_empty() {
+            let is_axis = |word: &Word| b"XZUWCHYV".contains(&word.address) && !word.comma;
+            let form = Form::of(self.block, &visit.before.state, self.codes);
+            let why = match form {
+                // The second block makes the motions.
+                Form::Multiple(..) => return,
+                _ if !self.block.words.iter().any(is_axis) => NoMotion::WithoutAxis,
+                Form::Motion { .. } => NoMotion::SamePlace,
+                _ => NoMotion::ByCode,
+            };
+            hover.facts.push(Fact::NoMotion(why));
+        }
     }
 
     fn word_at(&self, byte: u32, motions: &Motions) -> Option<Hover> {
@@ -149,7 +177,7 @@ impl<'a> Query<'a> {
             }
         }
         let quantity = Some(Quantity::Variable(number));
-        Some(Hover { span, function: None, role: Some(Role::Variable), quantity, facts })
+        Some(Hover { quantity, facts, ..Hover::of(span, Role::Variable) })
     }
 
     fn word(&self, word: &Word, motions: &Motions) -> Hover {
@@ -184,7 +212,7 @@ impl<'a> Query<'a> {
             G::Frame(frame) => Some(Quantity::Count(f64::from(frame + 1))),
             _ => None,
         };
-        Hover { span: word.span, function, role, quantity, facts }
+        Hover { span: word.span, function, role, quantity, block: None, facts }
     }
 
     fn m_code(&self, word: &Word) -> Hover {
@@ -192,7 +220,14 @@ impl<'a> Query<'a> {
         let Some((function, role)) = number.and_then(codes::m_function) else {
             return Hover::of(word.span, Role::UnknownCode);
         };
-        Hover { span: word.span, function: Some(function), role, quantity: None, facts: Vec::new() }
+        Hover {
+            span: word.span,
+            function: Some(function),
+            role,
+            quantity: None,
+            block: None,
+            facts: Vec::new(),
+        }
     }
 
     // ---- other words ------------------------------------------------------------------------------------
@@ -218,7 +253,7 @@ impl<'a> Query<'a> {
             let increment = reading.unit.increment() * reading.unit.millimetres();
             facts.push(Fact::WithoutPoint(Quantity::Length(increment)));
         }
-        Hover { span: written.span, function: None, role: Some(role), quantity, facts }
+        Hover { quantity, facts, ..Hover::of(written.span, role) }
     }
 
     /// A word of a block that is never executed, described with the state at power-on.
@@ -407,6 +442,12 @@ impl<'a> Query<'a> {
         let Some(visit) = self.visit else { return };
         let (before, after) = (&visit.before.state, &visit.after.state);
         let origins = &visit.after.origins;
+        if let (Some(Quantity::Diameter(diameter)), b'X') = (quantity, word.address) {
+            facts.push(Fact::FromCentre(Quantity::Length(diameter.radius())));
+        }
+        if matches!(role, Role::TaperX | Role::TaperZ | Role::ThreadTaper) {
+            self.about_taper(role, motions, facts);
+        }
         match role {
             Role::EndX | Role::WayX => {
                 facts.push(from_to(before.turning_place().x, after.turning_place().x, true))
@@ -574,6 +615,29 @@ impl<'a> Query<'a> {
         let locals = macros::arguments(words.into_iter()).ok()?;
         let index = locals.iter().position(|value| *value == Some(1.0))?;
         Some(Fact::Argument(index as u32 + 1))
+    }
+
+    /// Where the cut of a taper starts and ends, its angle, and where it would start with the other sign of R.
+    fn about_taper(&self, role: Role, motions: &Motions, facts: &mut Vec<Fact>) {
+        let Some(visit) = self.visit else { return };
+        let own = visit.motions.start..visit.motions.end.min(motions.len());
+        let is_cut = |motion: &Motion| motion.cycle.is_some_and(|step| step.step == Step::Cut);
+        let Some(cut) = own.rev().map(|index| motions.get(index)).find(is_cut) else { return };
+        let (along_x, along_z) = ((cut.to.x - cut.from.x).abs(), (cut.to.z - cut.from.z).abs());
+        let (from, to) = if role == Role::TaperZ { (cut.from.z, cut.to.z) } else { (cut.from.x, cut.to.x) };
+        if (from - to).abs() <= SAME {
+            return;
+        }
+        let at = |value: f64| match role {
+            Role::TaperZ => Quantity::Length(value),
+            _ => Quantity::Diameter(Diameter::from_radius(value)),
+        };
+        let angle = (along_x.atan2(along_z).to_degrees() * 100.0).round() / 100.0;
+        facts.push(Fact::TaperFromTo(at(from), at(to), Quantity::Degrees(angle)));
+        let other = 2.0 * to - from;
+        if role == Role::TaperZ || other >= 0.0 {
+            facts.push(Fact::TaperOtherSign(at(other)));
+        }
     }
 
     /// The number of passes in the block, and the position of the last one.

@@ -22,13 +22,15 @@ pub(super) fn write(out: &mut dyn Write, analysis: &Analysis, format: Format) ->
             }
             let all = Totals::new(&all);
             line(out, "all", &all)?;
-            for (count, what, why) in [
-                (all.unknown_cuts, "cuts", "no feed, or the spindle stands"),
-                (all.unknown_rapids, "rapids", "set machine.rapidX and machine.rapidZ"),
-            ] {
-                if count > 0 {
-                    writeln!(out, "Not in the time: {count} {what} ({why}).")?;
-                }
+            if all.unknown_cuts > 0 {
+                writeln!(
+                    out,
+                    "Not in the time: {} cuts (no feed, or the spindle is stopped).",
+                    all.unknown_cuts
+                )?;
+            }
+            if all.unknown_rapids > 0 {
+                writeln!(out, "Rapids at 8 m/min, assumed: set machine.rapidX and machine.rapidZ.")?;
             }
             Ok(())
         }
@@ -36,9 +38,9 @@ pub(super) fn write(out: &mut dyn Write, analysis: &Analysis, format: Format) ->
 }
 
 fn line(out: &mut dyn Write, name: &str, row: &Totals) -> io::Result<()> {
-    let time = match (row.seconds, row.unknown_cuts, row.unknown_rapids) {
-        (0.0, cuts, rapids) if cuts + rapids > 0 => "unknown".to_owned(),
-        (seconds, ..) => clock(seconds),
+    let time = match (row.seconds + row.assumed_seconds, row.unknown_cuts) {
+        (0.0, cuts) if cuts > 0 => "unknown".to_owned(),
+        (seconds, _) => clock(seconds),
     };
     let range = |of: fn(&Place) -> f64| match (&row.low, &row.high) {
         (Some(low), Some(high)) => format!("{:.3} … {:.3}", of(low), of(high)),

@@ -167,9 +167,11 @@ impl Card<'_> {
             page.paragraph(&w.more_tools.replace("{}", &more.to_string()));
         }
         let ToolTotals { time, .. } = &all;
-        let unknown = time.unknown_cuts + time.unknown_rapids;
-        if unknown > 0 {
-            page.paragraph(&w.not_in_time.replace("{}", &unknown.to_string()));
+        if time.unknown_cuts > 0 {
+            page.paragraph(&w.not_in_time.replace("{}", &time.unknown_cuts.to_string()));
+        }
+        if time.unknown_rapids > 0 {
+            page.paragraph(w.rapids_assumed);
         }
     }
 
@@ -519,10 +521,10 @@ fn tool_name((station, offset): (u16, u16)) -> String {
 
 /// Formats a time as minutes and seconds; a dash if it is unknown.
 fn clock(time: &Total) -> String {
-    if time.known <= 0.0 {
+    let seconds = time.estimated().round();
+    if seconds <= 0.0 {
         return "–".into();
     }
-    let seconds = time.known.round();
     format!("{}:{:02}", (seconds / 60.0).floor(), seconds % 60.0)
 }
 

@@ -53,6 +53,8 @@ pub enum Shape {
         /// Radius at the crests of an outside thread or the roots of an inside one, mm.
         major: f64,
     },
+    /// A section inside the material, at one Z: from the outside to the bore or the axis.
+    Across,
 }
 
 /// A feature of the part.
@@ -98,7 +100,7 @@ impl Feature {
             Shape::Thread { minor, major, .. } => [*minor, *major] = diameters.map(|stated| stated.x.0),
             // Nose radius moves the ends of a taper along it, and the angle is that of the program.
             Shape::Taper { .. } if is_stated => self.shape = taper(from, to),
-            Shape::Taper { .. } | Shape::Cylinder | Shape::Face | Shape::Arc { .. } => {}
+            Shape::Taper { .. } | Shape::Cylinder | Shape::Face | Shape::Arc { .. } | Shape::Across => {}
         }
         if let [first, .., last] = &mut self.corners[..] {
             [*first, *last] = [from, to];
@@ -188,7 +190,7 @@ pub fn threads(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Thread> {
     threads
 }
 
-/// The feature whose edge is nearest to a point, within `reach` mm.
+/// The feature whose edge is nearest to a point, within `reach` mm; inside the material, its diameters there.
 pub fn at(part: &Region, threads: &[Thread], place: Point, reach: f64) -> Option<Feature> {
     let outlines: Vec<Vec<Point>> = part.outlines().map(Iterator::collect).collect();
     let distances = outlines.iter().enumerate().flat_map(|(outline, corners)| {
@@ -205,7 +207,10 @@ pub fn at(part: &Region, threads: &[Thread], place: Point, reach: f64) -> Option
     }
     let (near, outline, edge) = distances.min_by(|a, b| a.0.total_cmp(&b.0))?;
     if near > reach {
-        return None;
+        let (inner, outer) =
+            part.radii(place.z).into_iter().find(|(inner, outer)| (*inner..*outer).contains(&place.x))?;
+        let corners = [outer, inner].map(|radius| Point::new(radius, place.z)).to_vec();
+        return Some(Feature { shape: Shape::Across, corners });
     }
     let corners = &outlines[outline];
     let feature = edge_feature(corners, edge)?;
@@ -406,7 +411,20 @@ mod tests {
         assert!((half_angle - 0.1f64.atan()).abs() < 1e-5);
         assert_eq!(ratio, Some(5.0));
         assert_eq!(feature(PROFILE, 20.0, -40.0).shape, Shape::Cylinder);
-        assert_eq!(feature_with("0", PROFILE, 30.0, -5.0), None);
+    }
+
+    #[test]
+    fn inside_the_material_are_the_diameters_at_that_z() {
+        for (diameter, z, outside) in [(30.0, -5.0, 40.0), (35.0, -20.0, 46.0), (21.0, -60.0, 60.0)] {
+            let across = feature(PROFILE, diameter, z);
+            assert_eq!(across.shape, Shape::Across);
+            let [outer, inner] = across.ends().map(|end| Diameter::from_radius(end.x).mm());
+            assert!((outer - outside).abs() < 1e-3 && (inner - 20.0).abs() < 1e-3, "{outer} {inner}");
+            assert_eq!(across.ends().map(|end| end.z), [z, z]);
+        }
+        // In the bore, and outside of the part.
+        assert_eq!(feature_with("0", PROFILE, 10.0, -20.0), None);
+        assert_eq!(feature_with("0", PROFILE, 70.0, -20.0), None);
     }
 
     #[test]

@@ -8,8 +8,6 @@ use super::timing::{self, Total};
 use crate::motion::{Motion, MotionKind, Motions};
 use crate::setup::Machine;
 
-/// Default rate of rapids, mm/min.
-const RAPID: f64 = 8000.0;
 /// Maximum duration of a rapid in the animation, seconds, because little happens during it.
 const LONGEST_RAPID: f64 = 0.3;
 /// Default rate of cuts with an unknown feed or spindle speed, mm/min.
@@ -92,7 +90,14 @@ impl Clock {
             let motion = motions.get(motion);
             reading.animation_seconds += share * animation_seconds(&motion, &self.machine);
             // A partial motion of unknown time counts as unknown only when it is finished.
-            reading.time.known += timing::seconds(&motion.first_part(share), &self.machine).unwrap_or(0.0);
+            let part = motion.first_part(share);
+            match timing::seconds(&part, &self.machine) {
+                Some(seconds) => reading.time.known += seconds,
+                None if part.kind == MotionKind::Rapid => {
+                    reading.time.assumed += timing::assumed_seconds(&part, &self.machine);
+                }
+                None => {}
+            }
         }
         reading
     }
@@ -149,7 +154,7 @@ fn animation_seconds(motion: &Motion, machine: &Machine) -> f64 {
     let turned = motion.rotary.map_or(0.0, |rotary| (rotary.to - rotary.from).abs() / TURN);
     let length = motion.length();
     match motion.kind {
-        MotionKind::Rapid => (60.0 * length / RAPID).max(turned).min(LONGEST_RAPID),
+        MotionKind::Rapid => (60.0 * length / timing::ASSUMED_RAPID).max(turned).min(LONGEST_RAPID),
         _ => (60.0 * length / CUT).max(turned),
     }
 }

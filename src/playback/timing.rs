@@ -12,6 +12,9 @@ use crate::setup::Machine;
 /// Maximum plausible spindle speed, rpm: a higher result means that no limit is set, so the speed is unknown.
 const NO_LIMIT: f64 = 100_000.0;
 
+/// Rate of rapids of a machine whose setup gives none, mm/min: that of a small lathe.
+pub const ASSUMED_RAPID: f64 = 8000.0;
+
 /// Number of pieces for the integration of the time of an arc under G96.
 const PIECES: u32 = 32;
 
@@ -96,6 +99,13 @@ fn rapid(motion: &Motion, machine: &Machine) -> Option<f64> {
     Some(x.max(z))
 }
 
+/// Time of a rapid along X and Z, seconds; an axis without a rate moves at [`ASSUMED_RAPID`].
+pub fn assumed_seconds(motion: &Motion, machine: &Machine) -> f64 {
+    let along = |length: f64, rate: Option<f64>| 60.0 * length.abs() / rate.unwrap_or(ASSUMED_RAPID);
+    let (x, z) = (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
+    along(x, machine.rapid_x).max(along(z, machine.rapid_z))
+}
+
 /// The time of a cut under constant surface speed. For a straight cut the integral is exact: the time per mm
 /// is proportional to the radius while the speed follows it, and constant below the radius at which the limit
 /// is reached.
@@ -169,6 +179,8 @@ pub struct Total {
     pub unknown_cuts: u32,
     /// Number of rapids of unknown time.
     pub unknown_rapids: u32,
+    /// Total of the times of those rapids at [`ASSUMED_RAPID`], seconds.
+    pub assumed: f64,
 }
 
 impl Total {
@@ -176,8 +188,16 @@ impl Total {
     pub fn add(&mut self, motion: &Motion, machine: &Machine) {
         match (seconds(motion, machine), motion.kind) {
             (Some(seconds), _) => self.known += seconds,
-            (None, MotionKind::Rapid) => self.unknown_rapids += 1,
+            (None, MotionKind::Rapid) => {
+                self.unknown_rapids += 1;
+                self.assumed += assumed_seconds(motion, machine);
+            }
             (None, _) => self.unknown_cuts += 1,
         }
+    }
+
+    /// The time with the rapids of unknown rate, seconds.
+    pub fn estimated(&self) -> f64 {
+        self.known + self.assumed
     }
 }

@@ -7,7 +7,7 @@ use super::language::Language;
 use super::template::fill;
 use crate::assist::complete::{What, Why};
 use crate::assist::explain::{Action, Explanation};
-use crate::assist::fact::{Fact, Quantity};
+use crate::assist::fact::{Fact, NoMotion, Quantity};
 use crate::assist::place::Place;
 use crate::assist::role::Role;
 use crate::assist::signature::WhenOmitted;
@@ -46,14 +46,14 @@ told! {
     UnchangedSince, UnchangedFromStart, BeforeSince, BeforeFromStart, ByCodeSince, ByCodeFromStart, ByFeedSince,
     ByFeedFromStart,
     // Meaning of a value
-    FromTo, WithoutPoint, FeedAtSpeed, SpeedAt, SpeedHeldSince, SpeedHeld, ThreadPackedOf, StationAndOffset, OffsetCancelled,
+    FromTo, FromCentre, TaperFromTo, TaperOtherSign, WithoutPoint, FeedAtSpeed, SpeedAt, SpeedHeldSince, SpeedHeld, ThreadPackedOf, StationAndOffset, OffsetCancelled,
     NoseRadius, TaperBefore, TaperKept, Passes, LastPass,
     // Other blocks
     ContourLines, NamesLine, NamesNothing,
     // Variables
     VariableIs, VariableVacant, VariableSet, VariableBecomes, VariableBecomesVacant, ArgumentIs,
     // Execution of the block
-    ThreadLocked, NotCarriedOut, Skipped, IgnoredByRoughing, TakenByFinishing, TimeOf,
+    ThreadLocked, NoMotionWithoutAxis, NoMotionSamePlace, NoMotionByCode, NotCarriedOut, Skipped, IgnoredByRoughing, TakenByFinishing, TimeOf,
     // The state
     Vacant, CallFrame, MacroFrame, LoopFrame, ReadByRoughing, ReadByFinishing,
     // Explanation of a block
@@ -133,6 +133,11 @@ impl Speaker<'_> {
         let what = |quantity: Quantity| ("what", Value::Text(self.quantity(quantity).into()));
         let line = |byte: u32| ("line", Value::count((self.line_of)(byte) as usize));
         let count = |count: u32| Value::Count(i64::from(count));
+        // A diameter, a position along Z, or an angle.
+        let level = |quantity: Quantity| match quantity {
+            Quantity::Length(z) => Value::Text(self.place(Place { x: None, z: Some(z), c: None }).into()),
+            other => Value::Text(self.quantity(other).into()),
+        };
         let (told, arguments): (Told, Arguments) = match *fact {
             Fact::Group(group) => (group_told(group), Vec::new()),
             Fact::Unchanged(Some(since)) => (Told::UnchangedSince, vec![line(since)]),
@@ -153,6 +158,11 @@ impl Speaker<'_> {
                 let place = |quantity| Value::Text(self.quantity(quantity).into());
                 (Told::FromTo, vec![("from", place(from)), ("to", place(to))])
             }
+            Fact::FromCentre(distance) => (Told::FromCentre, vec![what(distance)]),
+            Fact::TaperFromTo(from, to, angle) => {
+                (Told::TaperFromTo, vec![("from", level(from)), ("to", level(to)), ("angle", level(angle))])
+            }
+            Fact::TaperOtherSign(from) => (Told::TaperOtherSign, vec![("what", level(from))]),
             Fact::WithoutPoint(increment) => (Told::WithoutPoint, vec![what(increment)]),
             Fact::FeedAtSpeed(feed, speed) => {
                 let named = |quantity| Value::Text(self.quantity(quantity).into());
@@ -195,6 +205,14 @@ impl Speaker<'_> {
                 variable_told(Told::VariableBecomes, Told::VariableBecomesVacant, variable, value)
             }
             Fact::Argument(variable) => (Told::ArgumentIs, vec![("number", count(variable))]),
+            Fact::NoMotion(why) => {
+                let told = match why {
+                    NoMotion::WithoutAxis => Told::NoMotionWithoutAxis,
+                    NoMotion::SamePlace => Told::NoMotionSamePlace,
+                    NoMotion::ByCode => Told::NoMotionByCode,
+                };
+                (told, Vec::new())
+            }
             Fact::NotCarriedOut => (Told::NotCarriedOut, Vec::new()),
             Fact::Skipped(level) => {
                 let mark = if level == 1 { "/".to_owned() } else { format!("/{level}") };

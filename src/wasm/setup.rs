@@ -69,8 +69,11 @@ late! {
     fn overview(playground: &Playground) -> Result<JsValue, JsValue> {
         let (run, language) = (playground.current.run(), playground.language);
         match playground.current.resolved_setup() {
-            Some(resolved) => to_js(&SetupOverview::new(resolved, language)),
-            None => to_js(&SetupOverview::new(&ResolvedSetup::new(run.motions(), &run.setup_at_machine()), language)),
+            Some(resolved) => to_js(&SetupOverview::new(resolved, run.motions(), language)),
+            None => {
+                let resolved = ResolvedSetup::new(run.motions(), &run.setup_at_machine());
+                to_js(&SetupOverview::new(&resolved, run.motions(), language))
+            }
         }
     }
 

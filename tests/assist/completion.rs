@@ -150,3 +150,38 @@ fn snippets_run_as_they_are() {
         }
     }
 }
+
+#[test]
+fn a_code_proposes_its_whole_cycle_first() {
+    let at = |typed: &str, asked: bool| proposed(&format!("{HEAD}{typed}$0\n"), STOCK, asked);
+    let first = |typed: &str, asked: bool| at(typed, asked)[0].label.clone();
+    for (typed, begins) in
+        [("G7", "G71 U"), ("g71", "G71 U"), ("G72", "G72 W"), ("G76", "G76 P"), ("G90", "G90 X")]
+    {
+        assert!(first(typed, false).starts_with(begins), "{typed}: {:?}", labels(&at(typed, false)));
+        assert!(!labels(&at(typed, false)).contains(&typed), "{typed} itself is no proposal");
+    }
+    // After the code: only on request, because the words of a cycle can also be typed one by one.
+    assert!(first("G71 ", true).starts_with("G71 U"));
+    assert!(first("G92  ", true).starts_with("G92 X"));
+    assert_eq!(labels(&at("G00 ", true))[0], "X", "a code without a snippet proposes its words");
+    let second = proposed(&format!("{HEAD}G76 P021260 Q100 R0.05\nG76$0\n"), STOCK, false);
+    assert!(second[0].label.starts_with("G76 X"), "{:?}", labels(&second));
+}
+
+#[test]
+fn a_name_proposes_the_cycles_whose_description_contains_it() {
+    let named = |typed: &str, language: Language| {
+        let text = format!("{HEAD}{typed}\n");
+        let byte = text.trim_end().len() as u32;
+        Asking::new(&text, Setup::from_json(STOCK).expect("a setup")).completion(byte, language, false)
+    };
+    let rough = named("rough", Language::English);
+    assert!(rough.iter().all(|item| item.detail.contains("rough")), "{:?}", labels(&rough));
+    assert!(labels(&rough)[0].starts_with("G71 U"), "{:?}", labels(&rough));
+    assert!(labels(&named("Thread", Language::English)).iter().any(|label| label.starts_with("G76 P")));
+    assert!(labels(&named("粗车", Language::Chinese))[0].starts_with("G71 U"));
+    assert!(labels(&named("черн", Language::Russian))[0].starts_with("G71 U"));
+    assert!(named("ro", Language::English).is_empty());
+    assert!(named("approach", Language::English).is_empty());
+}

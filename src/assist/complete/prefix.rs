@@ -35,7 +35,7 @@ pub fn prefix_at(text: &[u8], line: u32, byte: u32) -> Option<(Prefix, Span)> {
     let digits = before.iter().rev().take_while(|at| of_number(at)).count();
     let head = &before[..before.len() - digits];
     let from = |bytes: usize| Span::new(byte - bytes, byte);
-    let letters = head.iter().rev().take_while(|at| at.is_ascii_alphabetic()).count();
+    let letters = head.iter().rev().take_while(|at| at.is_ascii_alphabetic() || !at.is_ascii()).count();
     let word = |bytes: usize| head[head.len() - bytes..].to_ascii_uppercase();
     match head.last() {
         Some(b'#') => Some((Prefix::Variable, from(digits + 1))),

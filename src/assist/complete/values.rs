@@ -121,7 +121,7 @@ impl Proposing<'_> {
             return Vec::new();
         }
         let mut items = self.snippets();
-        items.extend(self.g_codes().into_iter().take(12));
+        items.extend(self.g_codes("G").into_iter().take(12));
         items
     }
 
