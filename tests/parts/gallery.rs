@@ -72,7 +72,9 @@ fn intervals(motions: &[(Motion, Reach)], stock: &Stock, z: f64) -> Vec<Interval
         // A thread that follows another one continues with the same spindle revolution.
         let goes_on = before.is_some_and(|before| before.0.kind == MotionKind::Thread);
         let lead = motion.lead.filter(|_| motion.kind == MotionKind::Thread);
-        turned = if goes_on && lead.is_some() { turned } else { 0.0 };
+        // Another start of a thread begins a part of a turn later.
+        let start = motion.start_angle / 360.0;
+        turned = if goes_on && lead.is_some() { turned } else { start };
         taken.extend(reach.taken(motion, turned, z));
         turned += lead.map_or(0.0, |lead| turns(motion, lead));
         before = Some((*motion, reach));

@@ -8,7 +8,7 @@ use crate::fixtures::all;
 
 /// Blank and tools in one line: `⌀50 bore 0, 0 to -60: T01 turning C95 tip 3`.
 fn guess(program: &str, setup: &str) -> String {
-    let setup = Setup::from_json(setup).expect("a setup");
+    let setup = Setup { stock: None, ..Setup::from_json(setup).expect("a setup") };
     let analysis = analyze(program.as_bytes(), &setup);
     let resolved = ResolvedSetup::new(&analysis.motions, &setup);
     let stock = resolved.stock().map_or("nothing".to_owned(), |(stock, _)| {
@@ -57,7 +57,7 @@ hand-10-corners: ⌀96.0, 0 to -100.0: T01 turning C 95
 hand-11-g42-profile: ⌀55.2, 0 to -40.0: T01 unnamed tip 3
 hand-12-g92-two-starts: ⌀30.8, 0 to -40.0: T03 threading outside
 hand-13-g34-g92-short-pullout: ⌀30.6, 0 to -30.0: T03 threading outside
-s000-o0002: ⌀125.0, 0 to -140.0: T00 turning C 95
+s000-o0002: ⌀130.0, 0 to -135.0: T00 turning C 95
 s001-frag-g90-cyl: ⌀55.0, 0 to -30.0: T00 turning C 95
 s001-frag-g90-i: ⌀65.0, 0 to -45.0: T00 turning C 95
 s001-frag-g90-i-asprinted: nothing:
@@ -69,7 +69,7 @@ s001-o0003a: ⌀50.0, 0 to -35.0: T01 turning C 95
 s001-o0003b: ⌀32.0, 0 to -45.0: T01 turning C 95
 s001-o0006: ⌀52.0, 0 to -40.0: T01 turning C 95
 s001-o0006b: ⌀52.0, 0 to -40.0: T01 turning C 95
-s001-o6003: ⌀65.0 bore 18.0, 1 to -60.0: T01 turning 93, T02 boring, T04 grooving
+s001-o6003: ⌀68.0 bore 13.0, 0.5 to -54.5: T01 turning 93, T02 boring, T04 grooving
 s001-o7234: ⌀83.0, 0 to -45.0: T00 turning C 95
 s001-o8234: ⌀83.0, 0 to -45.0: T00 turning C 95
 s002-g121-square: ⌀80.0, 0 to -40.0: T01 endmill
@@ -81,16 +81,16 @@ s003-g73: ⌀36.5, 1 to -64.0: T00 turning C 95
 s003-g74: ⌀30.0, 0 to -20.0: T00 drill ⌀10.0
 s003-g75: ⌀40.0, 30 to -10.0: T00 grooving outside
 s003-g76: ⌀38.8, 0 to -75.0: T00 threading outside
-s004-g94-right: ⌀50.0, 0 to -60.0: T00 turning C 95
-s004-g94-route-r: ⌀50.0, 0 to -60.0: T01 turning C 95
-s004-g94-route-z: ⌀50.0, 0 to -60.0: T01 turning C 95
-s004-g94-wrong: ⌀50.0, 0 to -60.0: T00 turning C 95
-s004-g94-x50: ⌀50.0, 0 to -60.0: T00 turning C 95
-syn-four-tools: ⌀42.0, 1 to -80.0: T01 turning C 95, T02 turning D 93, T03 grooving, T04 threading
+s004-g94-right: ⌀52.0, 0 to -30.0: T00 turning C 95
+s004-g94-route-r: ⌀52.0, 0 to -30.0: T01 turning C 95
+s004-g94-route-z: ⌀52.0, 0 to -30.0: T01 turning C 95
+s004-g94-wrong: ⌀52.0, 0 to -30.0: T00 turning C 95
+s004-g94-x50: ⌀48.0, 0 to -25.0: T00 turning C 95
+syn-four-tools: ⌀46.0, 0 to -50.0: T01 turning C 95, T02 turning D 93, T03 grooving, T04 threading
 syn-g32: ⌀30.2, 0 to -30.0: T00 threading outside
 syn-g71-id: ⌀50.0 bore 17.6, 0 to -45.0: T00 boring C 95
 syn-g76-um: ⌀29.9, 0 to -40.0: T00 threading outside
-syn-g84-tap: ⌀40.0, 0 to -60.0: T05 drill ⌀8.5, T06 tap ⌀10.0
+syn-g84-tap: ⌀30.0, 0 to -35.0: T05 drill ⌀8.5, T06 tap ⌀10.0
 syn-g90-q1: ⌀115.0 bore 60.0, 0 to -60.0: T00 boring C 95
 syn-g90-q2: ⌀60.0, 0 to -40.0: T00 turning C 95
 syn-g90-q3: ⌀100.0 bore 60.0, 50 to 0.0: T00 boring D 93 tip 1
