@@ -140,6 +140,18 @@ fn the_gallery_lists_each_of_its_programs_once() {
     assert_eq!(sorted, shown);
 }
 
+/// With a given blank, a changed number does not change the blank.
+#[test]
+fn every_program_of_the_gallery_has_its_blank() {
+    let listed = gallery();
+    let programs = all();
+    let without = programs
+        .iter()
+        .filter(|program| listed.contains(&program.id))
+        .filter(|program| Setup::from_json(&program.setup).is_ok_and(|setup| setup.stock.is_none()));
+    assert_eq!(without.map(|program| &program.id).collect::<Vec<_>>(), Vec::<&String>::new());
+}
+
 /// An example shows only the warnings of its lesson: a program is complete unless completeness is the lesson.
 #[test]
 fn a_program_of_the_gallery_greets_with_the_messages_of_its_lesson_alone() {

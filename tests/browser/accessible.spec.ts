@@ -1,11 +1,11 @@
-// axe (checks for screen readers) finds no violation on the page, in every dialog, on pages of rules and of the
-// reference, in each language, in light and dark.
+// axe (checks for screen readers) finds no violation on the page, in every menu, popover and dialog, on pages of rules
+// and of the reference, in each language, in light and dark.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { makeLink, EMPTY_SHARED } from '../../www/src/files/shared-link';
 import { manual, openHtml, settled } from './embedded';
-import { open, type } from './page';
+import { chip, choose, open, openMenu, openProblems, type } from './page';
 
 const AXE = readFileSync(join(__dirname, '../../www/node_modules/axe-core/axe.min.js'), 'utf8');
 const PROGRAM = 'O1\n/G50 S2000\nT0101\nG96 S150 M3\nG0 X52 Z2\nG90 X48 Z-30 F0.2\nX44\nX\nM01\nG0 X200 Z200\nM30\n';
@@ -39,21 +39,42 @@ async function linked(what: 'task' | 'answer'): Promise<string> {
   return made.kind === 'link' ? made.link : '';
 }
 
-/** Buttons that open a dialog, with their names in each language; `at-once` for a menu. */
-const DIALOGS: readonly { readonly what: string; readonly button: RegExp }[] = [
-  { what: 'gallery', button: /^(Gallery…|全部示例…|Все примеры…)$/ },
-  { what: 'share', button: /^(Share…|分享…|Поделиться…)$/ },
-  { what: 'own programs', button: /^(My programs…|我的程序…|Мои программы…)$/ },
-  { what: 'setup', button: /^(Setup|毛坯与刀具|Наладка)$/ },
-  { what: 'machines', button: /^(Choose machine|选择机床|Выбрать станок)/ },
-  { what: 'programs', button: /^(Programs|文本中的程序|程序…|Программы)/ },
-  { what: 'solid', button: /^(3D|三维)/ },
-  { what: 'export', button: /^(Export|导出|Экспорт)$/ },
-  { what: 'cycles written out', button: /^(Expand cycles|展开循环|Развернуть циклы)$/ },
-  { what: 'rewriting', button: /^(Write as a cycle…|写成循环…|Записать циклом…)$/ },
-  { what: 'time', button: /^(Time|时间|Время)/ },
-  { what: 'help', button: /^(Help|帮助|Справка) \(\?\)$/ },
-];
+/** Opens something by its button. */
+const press =
+  (name: RegExp) =>
+  (page: ChromiumPage): Promise<void> =>
+    page.getByRole('button', { name }).first().click();
+/** Opens something by an item of a menu. */
+const item =
+  (...of: readonly [menu: Parameters<typeof choose>[1], name: RegExp]) =>
+  (page: ChromiumPage): Promise<void> =>
+    choose(page, ...of);
+
+/** Each menu, popover and dialog, and how it is opened in each language. */
+const OPENERS: Readonly<Record<string, (page: ChromiumPage) => Promise<void>>> = {
+  'menu Program': (page) => openMenu(page, 'program'),
+  'menu Share': (page) => openMenu(page, 'share'),
+  'menu Help': (page) => openMenu(page, 'help'),
+  'menu More': (page) => openMenu(page, 'more'),
+  gallery: item('program', /^(Gallery|全部示例|Все примеры)…$/),
+  share: item('share', /^(Link, task, QR code|链接、任务、二维码|Ссылка, задание, QR-код)…$/),
+  'own programs': item('program', /^(My programs|我的程序|Мои программы)…$/),
+  'how the program was read': (page) => chip(page).click(),
+  'speed and steps': press(/^(Speed and steps|速度与步进|Скорость и шаг)/),
+  setup: press(/^(Setup|毛坯与刀具|Наладка)/),
+  machines: async (page) => {
+    await chip(page).click();
+    await press(/^(Choose machine|选择机床|Выбрать станок)/)(page);
+  },
+  programs: item('program', /^(Programs in a text|文本中的程序|Программы в тексте)…$/),
+  solid: press(/^(3D|三维)/),
+  'cycles written out': item('more', /^(Expand cycles|展开循环|Развернуть циклы)$/),
+  rewriting: item('more', /^(Write as a cycle|写成循环|Записать циклом)…$/),
+  motions: item('more', /^(Motions|动作|Перемещения)$/),
+  time: item('more', /^(Time and totals|时间与合计|Время и итоги)/),
+  keys: item('help', /^(Keys and gestures|按键与手势|Клавиши и жесты)$/),
+  codes: item('help', /^(Supported codes|支持的代码|Поддерживаемые коды)$/),
+};
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
   for (const colorScheme of ['light', 'dark'] as const) {
@@ -80,9 +101,10 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
         await page.waitForTimeout(500);
         expect(await page.getByRole('listbox').count()).toBe(0);
       }).toPass();
+      await openProblems(page);
       wrong.push(...(await violations(page, 'with problems')));
-      for (const { what, button } of DIALOGS) {
-        await page.getByRole('button', { name: button }).first().click();
+      for (const [what, openIt] of Object.entries(OPENERS)) {
+        await openIt(page);
         const shown = page.getByRole('dialog').or(page.getByRole('menu')).first();
         await expect(shown, what).toBeVisible();
         wrong.push(...(await violations(page, what)));
@@ -92,18 +114,11 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
           await page.locator('.own-programs .acts button').nth(2).click();
           wrong.push(...(await violations(page, 'earlier states')));
         }
-        if (what === 'help') {
-          await page.getByRole('button', { name: /^(Supported codes|支持的代码|Поддерживаемые коды)$/ }).click();
-          wrong.push(...(await violations(page, 'codes')));
-        }
         for (let i = 0; i < 3 && (await page.getByRole('dialog').or(page.getByRole('menu')).count()) > 0; i++)
           await page.keyboard.press('Escape');
-        await expect(page.getByRole('dialog')).toHaveCount(0);
+        await expect(page.getByRole('dialog').or(page.getByRole('menu')), what).toHaveCount(0);
       }
-      await page.getByRole('button', { name: /^(More|更多|Ещё)$/ }).click();
-      await page
-        .getByRole('button', { name: /^(Compare with another version|与其他版本比较|Сравнить с другой версией)…$/ })
-        .click();
+      await choose(page, 'more', /^(Compare with another version|与其他版本比较|Сравнить с другой версией)…$/);
       await page.getByRole('dialog').getByRole('textbox').fill(PROGRAM.replace('X48', 'X47'));
       await page
         .getByRole('dialog')
@@ -188,16 +203,13 @@ for (const colorScheme of ['light', 'dark'] as const) {
     expect(order).toEqual([...order].sort((a, b) => a - b));
     expect(new Set(order)).toEqual(new Set([0, 1, 2, 3, 4]));
     expect(stops.filter(({ element }) => element === 3).map(({ name }) => name.replace(/[.,(].*/, '').trim())).toEqual([
+      'Show the whole path',
       'Drawing of the tool path',
       'Previous motion',
       'Play',
       'Next motion',
-      'Step by',
       'Position along the path',
-      'SBK: Single block',
-      'M01: Optional stop',
-      'Speed',
-      'Show the whole path',
+      'Speed and steps: all in 20 s',
       'Show all',
       'Zoom in',
       'Zoom out',

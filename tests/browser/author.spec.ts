@@ -1,6 +1,7 @@
 // Attributes that the author of a manual sets on an element: visible parts, highlighted lines, position of the tool.
 import { expect, test, type BasicPage } from './engines';
 import { manual, openHtml, programOf, settled, type Playground } from './embedded';
+import { openMenu } from './page';
 
 const PROGRAM = [
   'O0001',
@@ -103,14 +104,29 @@ test('controls selects the parts of the page that are shown', async ({ page }) =
   await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
   await expect(page.getByRole('img', { name: /tool path/ })).toBeVisible();
   for (const role of ['slider', 'status'] as const) await expect(page.getByRole(role)).toHaveCount(0);
-  for (const name of ['Setup', 'Export', 'Play', 'Help (?)', 'Time'])
-    await expect(page.getByRole('button', { name, exact: true })).toHaveCount(0);
+  const rows = [/^Setup/, /^How the program was read/, /^(Program|Share|Help|More)$/, /^(Undo|Redo)/, /problems/i];
+  for (const name of [...rows, /^Play/, /^Speed and steps/])
+    await expect(page.getByRole('button', { name })).toHaveCount(0);
   await set(page, 'controls', 'playback status');
   await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Speed and steps' })).toBeVisible();
   await expect(page.getByRole('status')).toContainText('5 motions');
-  await expect(page.getByRole('button', { name: 'Setup', exact: true })).toHaveCount(0);
+  for (const name of rows) await expect(page.getByRole('button', { name })).toHaveCount(0);
   await set(page, 'controls', null);
-  await expect(page.getByRole('button', { name: 'Setup', exact: true })).toBeVisible();
+  await expect(page.getByRole('button', { name: /^Setup/ })).toBeVisible();
+  for (const name of ['Program', 'Share', 'Help', 'More'])
+    await expect(page.getByRole('button', { name, exact: true })).toBeVisible();
+});
+
+test('a menu contains only the items of the groups in controls', async ({ page }) => {
+  await show(page, 'controls="views help"');
+  for (const name of ['Program', 'Share']) await expect(page.getByRole('button', { name, exact: true })).toHaveCount(0);
+  await openMenu(page, 'more');
+  await expect(page.getByRole('menuitemcheckbox', { name: 'Front turret' })).toBeVisible();
+  await expect(page.getByRole('menuitem', { name: 'Motions' })).toHaveCount(0);
+  await page.keyboard.press('Escape');
+  await openMenu(page, 'help');
+  await expect(page.getByRole('menuitem', { name: 'Keys and gestures' })).toBeVisible();
 });
 
 test('a readonly program can be read, copied and played, but not changed', async ({ page }) => {
@@ -124,8 +140,16 @@ test('a readonly program can be read, copied and played, but not changed', async
   expect(await programOf(page)).toBe(text);
   await expect(page.getByRole('region', { name: 'Problems' })).toBeVisible();
   await expect(page.getByRole('button', { name: /^(Fix|Apply)/ })).toHaveCount(0);
-  for (const name of ['Write as a cycle…', 'Setup'])
-    await expect(page.getByRole('button', { name, exact: true })).toHaveCount(0);
+  for (const name of [/^Setup/, /^Undo/, /^Redo/]) await expect(page.getByRole('button', { name })).toHaveCount(0);
+  await openMenu(page, 'more');
+  await expect(page.getByRole('menuitem', { name: 'Expand cycles' })).toBeVisible();
+  await expect(page.getByRole('menuitem', { name: 'Write as a cycle…' })).toHaveCount(0);
+  await page.keyboard.press('Escape');
+  await openMenu(page, 'program');
+  await expect(page.getByRole('menuitem', { name: 'Save file' })).toBeVisible();
+  for (const name of ['Open file…', 'Programs in a text…'])
+    await expect(page.getByRole('menuitem', { name })).toHaveCount(0);
+  await page.keyboard.press('Escape');
   expect(await editor.getAttribute('aria-readonly')).toBe('true');
   await page.evaluate(() => Reflect.set(document.querySelector('gcode-playground')!, 'readonly', false));
   await editor.focus();
@@ -333,46 +357,85 @@ test('keys typed in an element do not trigger shortcuts of the host page', async
   expect(await received()).toEqual(['keydown x', 'keyup x']);
 });
 
-test('labels at the foot do not overlap at any width of the column', async ({ page }) => {
+test('controls and labels of each row do not overlap at any width of the element', async ({ page }) => {
   for (const language of ['en', 'ru']) {
     await show(page, `language="${language}"`);
-    // Below that width there are tabs, and labels that do not fit end in an ellipsis.
+    // Below that width there are tabs, and the row over the drawing scrolls.
     for (let width = 740; width <= 1260; width += 40) {
-      const overlaps = await page.evaluate(async (width) => {
+      const { found, labels } = await page.evaluate(async (width) => {
         const element = document.querySelector<Playground>('gcode-playground')!;
         element.style.width = `${width}px`;
         await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
         await element.settled;
-        const foot = element.shadowRoot!.querySelector('.foot')!;
-        const inside = foot.getBoundingClientRect();
-        const boxes: { text: string; box: DOMRect }[] = [];
-        const words = document.createTreeWalker(foot, NodeFilter.SHOW_TEXT);
-        for (let node = words.nextNode(); node !== null; node = words.nextNode()) {
-          if (node.textContent?.trim() === '' || node.parentElement?.closest('.unseen, [hidden]') !== null) continue;
-          const range = document.createRange();
-          range.selectNodeContents(node);
-          for (const box of range.getClientRects())
-            if (box.width > 1) boxes.push({ text: node.textContent ?? '', box });
+        const root = element.shadowRoot!;
+        interface Box {
+          readonly left: number;
+          readonly right: number;
+          readonly top: number;
+          readonly bottom: number;
         }
-        const found = boxes
-          .filter(
-            ({ box }) => box.left < inside.left - 1 || box.right > inside.right + 1 || box.bottom > inside.bottom + 1,
-          )
-          .map(({ text }) => `${text} sticks out`);
-        for (const [at, one] of boxes.entries()) {
-          for (const other of boxes.slice(at + 1)) {
-            const isOver =
-              one.box.left < other.box.right - 1 &&
-              other.box.left < one.box.right - 1 &&
-              one.box.top < other.box.bottom - 2 &&
-              other.box.top < one.box.bottom - 2;
-            if (isOver) found.push(`${one.text} over ${other.text}`);
+        const isOver = (one: Box, other: Box): boolean =>
+          one.left < other.right - 1 &&
+          other.left < one.right - 1 &&
+          one.top < other.bottom - 2 &&
+          other.top < one.bottom - 2;
+        const isInside = (inner: Box, outer: Box): boolean =>
+          inner.left >= outer.left - 1 &&
+          inner.right <= outer.right + 1 &&
+          inner.top >= outer.top - 1 &&
+          inner.bottom <= outer.bottom + 1;
+        /** The visible part of a text: a label that does not fit ends in an ellipsis. */
+        const cut = (box: Box, of: Element | null, row: Element): Box => {
+          if (of === null || of === row) return box;
+          const { left, right, top, bottom } = of.getBoundingClientRect();
+          const shown =
+            getComputedStyle(of).overflowX === 'visible'
+              ? box
+              : {
+                  left: Math.max(box.left, left),
+                  right: Math.min(box.right, right),
+                  top: Math.max(box.top, top),
+                  bottom: Math.min(box.bottom, bottom),
+                };
+          return cut(shown, of.parentElement, row);
+        };
+        const found: string[] = [];
+        let labels = 0;
+        for (const name of ['.head', '.bar', '.views', '.playback']) {
+          const row = root.querySelector(name)!;
+          const inside = row.getBoundingClientRect();
+          const controls = [...row.querySelectorAll('button, input, select, .time')]
+            .filter((control) => control.checkVisibility())
+            .map((control) => ({
+              control,
+              text: control.getAttribute('aria-label') ?? control.textContent ?? '',
+              box: control.getBoundingClientRect() as Box,
+            }))
+            .filter(({ box }) => box.right > box.left);
+          for (const [at, { text, box, control }] of controls.entries()) {
+            if (!isInside(box, inside)) found.push(`${text} sticks out of ${name}`);
+            for (const other of controls.slice(at + 1)) {
+              if (isOver(box, other.box)) found.push(`${text} over ${other.text}`);
+            }
+            const words = document.createTreeWalker(control, NodeFilter.SHOW_TEXT);
+            for (let node = words.nextNode(); node !== null; node = words.nextNode()) {
+              if (node.textContent?.trim() === '' || node.parentElement?.closest('.unseen, [hidden]') !== null)
+                continue;
+              const range = document.createRange();
+              range.selectNodeContents(node);
+              for (const line of range.getClientRects()) {
+                const shown = cut(line, node.parentElement, row);
+                if (shown.right - shown.left <= 1) continue;
+                labels++;
+                if (!isInside(shown, box)) found.push(`${node.textContent} sticks out of its control`);
+              }
+            }
           }
         }
-        return { found, words: boxes.length };
+        return { found, labels };
       }, width);
-      expect(overlaps.found, `${language}, ${width} px`).toEqual([]);
-      expect(overlaps.words).toBeGreaterThan(2);
+      expect(found, `${language}, ${width} px`).toEqual([]);
+      expect(labels).toBeGreaterThan(8);
     }
   }
 });

@@ -1,6 +1,6 @@
 // With any bad input, the page responds within seconds, shows a message, and keeps working.
 import { expect, test, type Page } from './engines';
-import { open, openFile, status, type } from './page';
+import { open, openFile, openProblems, problems, status, type } from './page';
 
 const FIVE_MB = 5 * 1024 * 1024;
 
@@ -22,7 +22,8 @@ test('the page handles a single opening parenthesis', async ({ page }) => {
   await open(page);
   await type(page, '(');
   await expect(status(page)).toContainText('1 problem');
-  await expect(page.getByRole('region', { name: 'Problems' }).getByRole('listitem')).toHaveCount(1);
+  await openProblems(page);
+  await expect(problems(page).getByRole('listitem')).toHaveCount(1);
   await stillWorks(page);
 });
 

@@ -1,6 +1,6 @@
 // Comparing the program with another version: pasted, from a link, from a file.
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { editor, open, type } from './page';
+import { choose, chooseExample, editor, open, type } from './page';
 
 const PROGRAM =
   '(STOCK D=60 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X62 Z2\nG00 X50\nG01 Z-20 F0.2\nX56 Z-30\nG00 X100 Z100\nM30\n';
@@ -10,8 +10,7 @@ const dialog = (page: BasicPage): Locator => page.getByRole('dialog');
 const field = (page: BasicPage): Locator => dialog(page).getByRole('textbox');
 
 async function openDialog(page: BasicPage): Promise<void> {
-  await page.getByRole('button', { name: 'More' }).click();
-  await page.getByRole('button', { name: 'Compare with another version…' }).click();
+  await choose(page, 'more', 'Compare with another version…');
   await expect(dialog(page)).toBeVisible();
 }
 
@@ -75,7 +74,7 @@ test('a stored program is chosen from a list', async ({ page }) => {
   await open(page);
   await type(page, OTHER);
   // The program is stored, then another one is started.
-  await page.getByLabel('Example').selectOption('syn-g84-tap');
+  await chooseExample(page, 'Tapping M10: G84');
   await expect(editor(page)).toContainText('G84');
   await openDialog(page);
   const own = dialog(page).getByRole('combobox', { name: 'Earlier states and my programs…' });

@@ -1,6 +1,6 @@
 // Completion at the cursor: by keys alone, in three languages.
 import { chromiumTest, expect, test, type BasicPage, type Locator } from './engines';
-import { editor, open, type } from './page';
+import { chooseLanguage, editor, open, type } from './page';
 import { runBeforeWorker } from './worker-script';
 
 const HEAD = 'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\n';
@@ -14,7 +14,7 @@ const HEIGHT = { en: 'thread height', zh: '牙型高度', ru: 'высота пр
 for (const locale of ['en', 'zh', 'ru'] as const) {
   test(`G76 is completed by keys alone, ${locale}`, async ({ page }) => {
     await open(page);
-    await page.locator('#language').selectOption(locale);
+    await chooseLanguage(page, locale);
     await type(page, HEAD);
     await page.keyboard.press('Control+End');
     await page.keyboard.type('G7');

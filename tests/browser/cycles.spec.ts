@@ -2,11 +2,14 @@
 import { expect, test, type Page } from './engines';
 import {
   between,
+  choose,
+  chooseLanguage,
   clipboard,
   editor,
   examples,
   motionCount,
   open,
+  openMenu,
   problems,
   program,
   status,
@@ -16,7 +19,7 @@ import {
 } from './page';
 
 const dialog = (page: Page) => page.getByRole('dialog', { name: 'The expanded program' });
-const writeOut = (page: Page) => page.getByRole('button', { name: 'Expand cycles' });
+const writeOut = (page: Page) => choose(page, 'more', 'Expand cycles');
 interface Summary {
   readonly motions: number;
   readonly errors: number;
@@ -25,7 +28,8 @@ interface Summary {
 const CYCLE_CALL = /^\s*(N\d+\s*)?G7[0-6]\b/m;
 
 test('every example opens without an error and draws the expected motions', async ({ page }) => {
-  await open(page);
+  // Not the first one, so that each is opened by a change of the address.
+  await open(page, `#${examples.at(-1)?.id}`);
   // The latest report for each text of the editor.
   await page.locator('gcode-playground').evaluate((element) => {
     const found: Record<string, Summary> = {};
@@ -36,11 +40,9 @@ test('every example opens without an error and draws the expected motions', asyn
   });
   const report = (text: string) =>
     page.evaluate((text) => (Reflect.get(window, 'reports') as Record<string, Summary>)[text] ?? null, text);
-  await type(page, '');
-  const picker = page.getByLabel('Example');
   for (const { id } of examples) {
     await test.step(id, async () => {
-      await picker.selectOption(id);
+      await page.evaluate((id) => void (location.hash = id), id);
       const text = program(id);
       await expect.poll(async () => (await report(text))?.errors).toBe(0);
       expect((await report(text))?.motions).toBe(motionCount(id));
@@ -67,7 +69,14 @@ test('a program is expanded, read, copied, replaced by the expanded one, and res
   await expect(status(page)).toContainText(motions);
 
   await test.step('opened, read and closed by keyboard', async () => {
-    await writeOut(page).focus();
+    const more = page.getByRole('button', { name: 'More' });
+    await more.focus();
+    await page.keyboard.press('Enter');
+    const item = page.getByRole('menuitem', { name: 'Expand cycles' });
+    await expect(item).toBeVisible();
+    // The first letter of the item moves to it.
+    await page.keyboard.press('e');
+    await expect(item).toBeFocused();
     await page.keyboard.press('Enter');
     const text = dialog(page).getByRole('textbox');
     await expect(text).toBeFocused();
@@ -77,12 +86,12 @@ test('a program is expanded, read, copied, replaced by the expanded one, and res
     await expect(text).not.toContainText('X1N010');
     await page.keyboard.press('Escape');
     await expect(dialog(page)).toBeHidden();
-    await expect(writeOut(page)).toBeFocused();
+    await expect(more).toBeFocused();
     expect(await value(page)).toBe(program('s003-g71'));
   });
 
   await test.step('copied', async () => {
-    await writeOut(page).click();
+    await writeOut(page);
     await dialog(page).getByRole('button', { name: 'Copy' }).click();
     await expect(dialog(page).getByRole('button', { name: 'Copied' })).toBeVisible();
     const copied = await clipboard(page);
@@ -100,7 +109,7 @@ test('a program is expanded, read, copied, replaced by the expanded one, and res
   });
 
   await test.step('expanding it again changes nothing', async () => {
-    await writeOut(page).click();
+    await writeOut(page);
     await expect(dialog(page)).toContainText('nothing to expand');
     await expect(dialog(page).getByRole('button', { name: 'Put into the editor' })).toBeHidden();
     await dialog(page).getByRole('button', { name: 'Close' }).click();
@@ -115,15 +124,19 @@ test('a program is expanded, read, copied, replaced by the expanded one, and res
   });
 });
 
-test('a program without motions cannot be expanded, and the button has labels in three languages', async ({ page }) => {
+test('a program without motions cannot be expanded, and the item has labels in three languages', async ({ page }) => {
+  const item = (name: string) => page.getByRole('menuitem', { name });
   await open(page);
-  await expect(writeOut(page)).toBeEnabled();
-  await page.getByLabel('Language').selectOption('zh');
-  await expect(page.getByRole('button', { name: '展开循环' })).toBeVisible();
-  await page.getByLabel('语言').selectOption('ru');
-  await expect(page.getByRole('button', { name: 'Развернуть циклы' })).toBeVisible();
-  await editor(page).focus();
-  await page.keyboard.press('Control+A');
-  await page.keyboard.press('Delete');
-  await expect(page.getByRole('button', { name: 'Развернуть циклы' })).toBeDisabled();
+  await openMenu(page, 'more');
+  await expect(item('Expand cycles')).toBeEnabled();
+  await page.keyboard.press('Escape');
+  await chooseLanguage(page, 'zh');
+  await openMenu(page, 'more');
+  await expect(item('展开循环')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await chooseLanguage(page, 'ru');
+  await type(page, '');
+  await expect(status(page)).toContainText('0 ');
+  await openMenu(page, 'more');
+  await expect(item('Развернуть циклы')).toBeDisabled();
 });

@@ -1,18 +1,17 @@
-// The reference: links from the help of the page to a document, and between documents.
+// The reference: links from the menu of the help to a document, and between documents.
 import { chromiumTest as test, expect } from './engines';
 import { manual, openHtml, settled } from './embedded';
-import { open } from './page';
+import { choose, chooseLanguage, open, openMenu } from './page';
 
-for (const [language, help, link] of [
-  ['en', 'Help (?)', 'Documentation'],
-  ['zh', '帮助 (?)', '文档（英文）'],
-  ['ru', 'Справка (?)', 'Документация (на английском)'],
+for (const [language, link] of [
+  ['en', 'Documentation'],
+  ['zh', '文档（英文）'],
+  ['ru', 'Документация (на английском)'],
 ] as const) {
   test(`the help leads to the reference: ${language}`, async ({ page }) => {
     await open(page);
-    await page.locator('#language').selectOption(language);
-    await page.getByRole('button', { name: help }).click();
-    const [reference] = await Promise.all([page.waitForEvent('popup'), page.getByRole('link', { name: link }).click()]);
+    await chooseLanguage(page, language);
+    const [reference] = await Promise.all([page.waitForEvent('popup'), choose(page, 'help', link)]);
     await reference.waitForLoadState();
     expect(reference.url()).toMatch(/\/docs\/index\.html$/);
     await expect(reference.getByRole('heading', { level: 1 })).toHaveText('Reference');
@@ -21,11 +20,7 @@ for (const [language, help, link] of [
 
 test('the help of the published element leads to its own copy of the reference', async ({ page }) => {
   await page.goto('./embed/index.html#program=G00%20X50%20Z2');
-  await page.getByRole('button', { name: 'Help (?)' }).click();
-  const [reference] = await Promise.all([
-    page.waitForEvent('popup'),
-    page.getByRole('link', { name: 'Documentation' }).click(),
-  ]);
+  const [reference] = await Promise.all([page.waitForEvent('popup'), choose(page, 'help', 'Documentation')]);
   await reference.waitForLoadState();
   expect(reference.url()).toMatch(/\/embed\/docs\/index\.html$/);
   await expect(reference.getByRole('heading', { level: 1 })).toHaveText('Reference');
@@ -42,13 +37,17 @@ test('attributes of the element set the folders of the documents and of the rule
     ),
   );
   await settled(page);
-  await page.getByRole('button', { name: 'Help (?)' }).click();
-  const reference = page.getByRole('link', { name: 'Documentation' });
+  await openMenu(page, 'help');
+  const reference = page.getByRole('menuitem', { name: 'Documentation' });
   await reference.focus();
   await expect(reference).toHaveAttribute('href', 'https://manual.example/lathe/docs/index.html');
-  await expect(page.getByRole('link', { name: 'All rules' })).toHaveCount(0);
+  await expect(page.getByRole('menuitem', { name: 'All rules' })).toHaveCount(0);
+  // The arrow keys skip the hidden item.
+  await page.getByRole('menuitem', { name: 'Supported codes' }).focus();
+  await page.keyboard.press('ArrowDown');
+  await expect(reference).toBeFocused();
   await page.evaluate(() => document.querySelector('gcode-playground')!.setAttribute('rules', 'pages/'));
-  const rules = page.getByRole('link', { name: 'All rules' });
+  const rules = page.getByRole('menuitem', { name: 'All rules' });
   await rules.focus();
   await expect(rules).toHaveAttribute('href', /^https?:.*\/pages\/en\/index\.html$/);
 });

@@ -2,7 +2,7 @@
 import { expect, test, type Page } from './engines';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { editor, open, openFile, status, value } from './page';
+import { choose, chooseLanguage, editor, open, openFile, status, value } from './page';
 
 /** The same cases are tested with the command line. */
 const cases = (
@@ -24,7 +24,7 @@ async function openAlone(page: Page, name: string, bytes: Buffer): Promise<void>
 
 async function save(page: Page): Promise<{ name: string; bytes: Buffer }> {
   const waiting = page.waitForEvent('download');
-  await page.getByRole('button', { name: 'Save file' }).click();
+  await choose(page, 'program', 'Save file');
   const download = await waiting;
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
@@ -132,7 +132,7 @@ test('a character outside of the encoding is reported, and the file is saved as 
   await encoding(page).selectOption('windows-1251');
   await expect(page.getByText('the file stays UTF-8')).toBeVisible();
   await expect(encoding(page)).toHaveValue('utf-8');
-  await page.getByLabel('Language').selectOption('zh');
+  await chooseLanguage(page, 'zh');
   await page.getByRole('combobox', { name: '编码' }).selectOption('windows-1251');
   await expect(page.getByText('Windows-1251 中没有“😀”')).toBeVisible();
 });

@@ -1,18 +1,15 @@
-// Exported files: each kind is chosen from the menu and has the expected content.
+// Exported files: each kind is chosen from the menu "Share" and has the expected content.
 import { expect, test, type Page } from './engines';
 import { readFileSync } from 'node:fs';
-import { motionCount, open, openFile, status, tab, type } from './page';
+import { choose, motionCount, open, openFile, openMenu, status, type } from './page';
 
-const button = (page: Page) => page.getByRole('button', { name: 'Export' });
-const menu = (page: Page) => page.getByRole('menu', { name: 'Export' });
+const button = (page: Page) => page.getByRole('button', { name: 'Share' });
+const menu = (page: Page) => page.getByRole('menu', { name: 'Share' });
 
 /** Chooses a kind of file; returns its file name and bytes. */
 async function save(page: Page, item: RegExp): Promise<{ name: string; bytes: Buffer; text: string }> {
-  // MiniBrowser lists downloads inside the window, so the page becomes smaller with each one.
-  if ((await button(page).count()) === 0) await tab(page, 'state').click();
   const saved = page.waitForEvent('download');
-  await button(page).click();
-  await menu(page).getByRole('menuitem', { name: item }).click();
+  await choose(page, 'share', item);
   const download = await saved;
   const bytes = readFileSync(await download.path());
   return { name: download.suggestedFilename(), bytes, text: bytes.toString('utf8') };
@@ -120,20 +117,22 @@ test('the menu works by keyboard', async ({ page }) => {
   await open(page);
   await button(page).focus();
   await page.keyboard.press('Enter');
-  const items = menu(page).getByRole('menuitem');
-  await expect(items.first()).toBeFocused();
+  // The item of the page comes before those of the element.
+  const first = page.getByRole('menuitem', { name: 'Link, task, QR code…' });
+  const last = page.getByRole('menuitem', { name: 'Expanded program (NC)' });
+  await expect(first).toBeFocused();
   await expect(button(page)).toHaveAttribute('aria-expanded', 'true');
   await page.keyboard.press('ArrowUp');
-  await expect(items.last()).toBeFocused();
+  await expect(last).toBeFocused();
   await page.keyboard.press('Home');
-  await expect(items.first()).toBeFocused();
+  await expect(first).toBeFocused();
   await page.keyboard.press('m');
-  await expect(menu(page).getByRole('menuitem', { name: 'Motions as a table' })).toBeFocused();
+  await expect(page.getByRole('menuitem', { name: 'Motions as a table' })).toBeFocused();
   await page.keyboard.press('Escape');
   await expect(menu(page)).toBeHidden();
   await expect(button(page)).toBeFocused();
   await page.keyboard.press('ArrowUp');
-  await expect(items.last()).toBeFocused();
+  await expect(last).toBeFocused();
   const saved = page.waitForEvent('download');
   await page.keyboard.press('Enter');
   expect((await saved).suggestedFilename()).toBe('program-plain.nc');
@@ -146,9 +145,11 @@ test('without a part the page shows a message', async ({ page }) => {
   await open(page, '#s003-g71');
   await type(page, 'G0 X20 Z2\nM30');
   await expect(status(page)).toContainText('1 motion ');
-  await button(page).click();
-  await menu(page).getByRole('menuitem', { name: /STL/ }).click();
+  await choose(page, 'share', /STL/);
   await expect(page.getByText('There is no part to export')).toBeVisible();
   await type(page, '');
-  await expect(button(page)).toBeDisabled();
+  await expect(status(page)).toContainText('0 motions');
+  await openMenu(page, 'share');
+  for (const item of [/SVG/, /STL/, /NC/]) await expect(page.getByRole('menuitem', { name: item })).toBeDisabled();
+  await expect(page.getByRole('menuitem', { name: 'Link, task, QR code…' })).toBeEnabled();
 });

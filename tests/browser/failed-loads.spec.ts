@@ -1,7 +1,7 @@
 // Files that fail to load, at the start and later: a notice with "Try again" stays until everything works, no loading
 // state is shown meanwhile, an outdated picture is labelled, and the page works once the files are available.
 import { expect, test, type Page } from './engines';
-import { editor, type } from './page';
+import { chip, choose, chooseLanguage, editor, type } from './page';
 import { DIST, storedSite, type Refusal, type StoredSite } from './stored-site';
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -52,7 +52,6 @@ function codeMirror(): RegExp {
 }
 
 const status = (page: Page) => page.locator('gcode-playground').getByRole('status');
-const readAs = (page: Page) => page.getByRole('group', { name: 'How the program was read' });
 const oldPicture = (page: Page) => page.getByText('Old picture: the current program could not be run');
 const notice = (page: Page, message: string) => page.getByRole('alert').filter({ hasText: message });
 const online = (page: Page) => page.evaluate(() => void dispatchEvent(new Event('online')));
@@ -63,7 +62,7 @@ async function works(page: Page, motions: number): Promise<void> {
   await expect(status(page)).toContainText('problem');
   await expect(page.getByRole('alert')).toHaveCount(0);
   await expect(editor(page)).toBeVisible();
-  await expect(readAs(page)).toContainText('Read as');
+  await expect(chip(page)).toContainText(' · mm');
   await expect(oldPicture(page)).toHaveCount(0);
 }
 
@@ -272,7 +271,7 @@ test('the messages of another language are missing', async ({ page }) => {
   const site = await storedSite();
   await open(page, site);
   site.refuse(/\/ru-[\w-]{8}\.txt$/);
-  await page.getByLabel('Language').selectOption('ru');
+  await chooseLanguage(page, 'ru');
   const missing = notice(page, 'Загружено не всё');
   await expect(missing).toBeVisible();
   await type(page, NEXT_PROGRAM);
@@ -290,8 +289,7 @@ test('the codes are missing, and the request is answered once they are available
   site.refuse(/\/late-[\w-]{8}\.wasm$/);
   await page.goto(`${site.address}#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
   await expect(status(page)).toContainText('2 motions');
-  await page.getByRole('button', { name: 'Help (?)' }).click();
-  await page.getByRole('button', { name: 'Supported codes' }).click();
+  await choose(page, 'help', 'Supported codes');
   await expect(notice(page, PARTS)).toHaveCount(1);
   site.refuse();
   await online(page);

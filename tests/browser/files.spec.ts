@@ -1,15 +1,21 @@
 // Files and pasted texts: dropped anywhere, messages about them, and the machining time.
 import { expect, test, type Page } from './engines';
-import { copy, drawing, editor, motionCount, open, openFile, status, value } from './page';
+import { choose, chooseExample, copy, drawing, editor, motionCount, open, openFile, status, value } from './page';
 
 const notice = (page: Page) => page.getByRole('alert');
 
-/** Drops a file on the element that a selector finds, through shadow roots. Returns whether the page accepted it. */
-async function drop(page: Page, where: 'the drawing' | 'the header', name: string, text: string): Promise<boolean> {
+const PLACES = ['the drawing', 'the row at the top', 'the page outside of the element'] as const;
+
+/** Drops a file on an element of the page. Returns whether the page accepted it. */
+async function drop(page: Page, where: (typeof PLACES)[number], name: string, text: string): Promise<boolean> {
   return page.evaluate(
     ({ where, name, text }) => {
       const root = document.querySelector('gcode-playground')?.shadowRoot;
-      const target = where === 'the header' ? document.querySelector('header') : root?.querySelector('canvas');
+      const target = {
+        'the drawing': root?.querySelector('canvas'),
+        'the row at the top': root?.querySelector('[part~=head]'),
+        'the page outside of the element': document.body,
+      }[where];
       const data = new DataTransfer();
       data.items.add(new File([text], name, { type: 'text/plain' }));
       const event = (type: string): DragEvent =>
@@ -23,7 +29,7 @@ async function drop(page: Page, where: 'the drawing' | 'the header', name: strin
   );
 }
 
-for (const where of ['the drawing', 'the header'] as const) {
+for (const where of PLACES) {
   test(`a file dropped on ${where} opens`, async ({ page }) => {
     await open(page);
     const text = 'G00 X40 Z2\nG01 Z-10 F0.2\n';
@@ -50,7 +56,7 @@ test('the message about a file disappears with its program', async ({ page }) =>
     await expect(notice(page)).toContainText('Opened mine.nc');
   });
   await test.step('another program removes the message', async () => {
-    await page.getByLabel('Example').selectOption('s003-g71');
+    await chooseExample(page, 'Rough turning to a contour: G71 and G70');
     await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
     await expect(notice(page)).toBeHidden();
   });
@@ -86,15 +92,14 @@ test('the time is shown before playing, and a table lists the work of each tool'
   await open(page);
   const text = 'T0101 M3 S1000\nG98\nG00 X40 Z2\nG01 Z-10 F60\nT0202\nG00 X30 Z2\nG01 Z-4 F60\nM30\n';
   await openFile(page, 'two-tools.nc', new TextEncoder().encode(text));
-  // 12 mm and 6 mm at 60 mm/min; the setup gives no rapid traverse rate.
-  const button = page.getByRole('button', { name: /^Time / });
-  await expect(button).toHaveText('Time 0:18 + 2 rapids');
-  await button.click();
+  // 12 mm and 6 mm at 60 mm/min. Rapids at 8 m/min: 198 mm from Z200 to Z2 in 1.485 s, and 12 mm in 0.09 s.
+  await expect(page.getByRole('group', { name: 'Playback' }).getByText('0:19', { exact: true })).toBeVisible();
+  await choose(page, 'more', 'Time and totals: 0:19');
   const totals = page.getByRole('dialog', { name: 'Time and totals' });
-  await expect(totals.getByRole('row', { name: /^T0101/ })).toContainText('0:12');
+  await expect(totals.getByRole('row', { name: /^T0101/ })).toContainText('0:13');
   await expect(totals.getByRole('row', { name: /^T0202/ })).toContainText('0:06');
   await expect(totals.getByRole('row', { name: /^All/ })).toContainText('18.0');
-  await expect(totals).toContainText('the setup gives no rapid traverse rate');
+  await expect(totals).toContainText('8 m/min is assumed');
   await page.keyboard.press('Escape');
   await expect(totals).toBeHidden();
   await expect(drawing(page)).toBeVisible();

@@ -1,13 +1,28 @@
 // A student's first minutes: type a program, read the drawing, make a mistake, find the block of a stroke.
 import { expect, test } from './engines';
 import { kept } from './own-programs';
-import { between, editor, locate, open, problems, program, selected, status, tooltip, type, value } from './page';
+import {
+  between,
+  chip,
+  chooseExample,
+  editor,
+  locate,
+  open,
+  openProblems,
+  problems,
+  program,
+  selected,
+  status,
+  tooltip,
+  type,
+  value,
+} from './page';
 
 test('types O0002, reads its strokes, breaks a line, selects a block from the picture', async ({ page }) => {
   await open(page);
   // The blank and the start point come from the gallery; the text is typed.
-  await page.getByLabel('Example').selectOption('s000-o0002');
-  await expect(page.getByLabel('Control')).toHaveValue('gsk');
+  await chooseExample(page, 'Steps and a cone from one ⌀125 blank');
+  await expect(chip(page)).toContainText('GSK 980TD');
   await type(page, program('s000-o0002'));
   await expect(status(page)).toContainText(/^42 motions/);
   await expect(status(page)).toContainText('no problems');
@@ -34,6 +49,7 @@ test('types O0002, reads its strokes, breaks a line, selects a block from the pi
     // `X110 Z-30` becomes `X110 ZZ-30`: the first Z has no number.
     await page.keyboard.type('Z');
     await expect(status(page)).toContainText(/1 problem|2 problems/);
+    await openProblems(page);
     const first = problems(page).getByRole('listitem').first().getByRole('button').first();
     await expect(first).toContainText('line 4, column 6');
     const squiggle = page.locator('.cm-lintRange-error');

@@ -1,13 +1,23 @@
 // The gallery: lazy loading, search, and examples that are compared with another one.
 import { expect, test, type Page } from './engines';
-import { examples, motionCount, open, program, status, value } from './page';
+import {
+  choose,
+  chooseExample,
+  examples,
+  motionCount,
+  open,
+  openFile,
+  program,
+  status,
+  value,
+  titleText,
+} from './page';
 
-const button = (page: Page) => page.getByRole('button', { name: 'Gallery…' });
 const gallery = (page: Page) => page.getByRole('dialog', { name: 'Gallery' });
 
 test('an example is found by its topic, and opened', async ({ page }) => {
   await open(page);
-  await button(page).click();
+  await choose(page, 'program', 'Gallery…');
   await expect(gallery(page).getByRole('status')).toHaveText(`${examples.length} examples`);
   await expect(gallery(page).getByRole('heading', { name: 'Threads' })).toBeVisible();
   await test.step('each program with a cut has a picture', async () => {
@@ -29,7 +39,7 @@ test('an example is found by its topic, and opened', async ({ page }) => {
   await card.click();
   await expect(gallery(page)).toBeHidden();
   await expect(status(page)).toContainText(`${motionCount('syn-g84-tap')} motions`);
-  await expect(page.getByLabel('Example')).toHaveValue('syn-g84-tap');
+  await expect(titleText(page)).toHaveText('Tapping M10: G84');
   expect(await value(page)).toBe(program('syn-g84-tap'));
 });
 
@@ -41,7 +51,7 @@ test('a URL selects an example, and changing the URL opens another one', async (
     location.hash = '#s003-g74';
   });
   await expect(status(page)).toContainText(`${motionCount('s003-g74')} motions`);
-  await expect(page.getByLabel('Example')).toHaveValue('s003-g74');
+  await expect(titleText(page)).toHaveText('Peck drilling with G74');
 });
 
 test('a URL with an unknown example opens the first example', async ({ page }) => {
@@ -56,11 +66,11 @@ test('the wrong part is compared with the right one, and the next example is sho
   const differences = page.getByRole('button', { name: 'End comparison' });
   await expect(differences).toBeVisible();
   expect(await value(page)).toBe(program('s004-g94-wrong'));
-  await page.getByLabel('Example').selectOption('s001-frag-g94');
+  await chooseExample(page, 'Facing with G94');
   await expect(status(page)).toContainText(`${motionCount('s001-frag-g94')} motions`);
   await expect(differences).toBeHidden();
-  // Choosing it from the list has the same effect as the URL.
-  await page.getByLabel('Example').selectOption('s004-g94-wrong');
+  // Choosing it in the gallery has the same effect as the URL.
+  await chooseExample(page, 'Start at X54 with R left at -20');
   await expect(differences).toBeVisible();
   expect(await value(page)).toBe(program('s004-g94-wrong'));
 });
@@ -68,8 +78,29 @@ test('the wrong part is compared with the right one, and the next example is sho
 test('examples show no warnings except the ones they demonstrate', async ({ page }) => {
   await open(page);
   for (const id of ['s003-g71', 's003-g76', 's004-g94-right', 's001-o6003', 'syn-four-tools', 'syn-macro-ellipse']) {
-    await page.getByLabel('Example').selectOption(id);
+    await page.evaluate((id) => void (location.hash = id), id);
     await expect(status(page)).toContainText(`${motionCount(id)} motions`);
     await expect(status(page)).toContainText('no problems');
   }
+});
+
+test('the description of an example is hidden and shown by its button, which is remembered', async ({ page }) => {
+  const about = page.getByRole('button', { name: 'About this program' });
+  const added = page.getByText('Added to the printed program: M03 S600, M30');
+  await open(page, '#s003-g71');
+  await expect(about).toHaveAttribute('aria-expanded', 'true');
+  await expect(added).toBeVisible();
+  await about.click();
+  await expect(about).toHaveAttribute('aria-expanded', 'false');
+  await expect(added).toBeHidden();
+  await page.reload();
+  await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
+  await expect(added).toBeHidden();
+  await about.click();
+  await expect(added).toBeVisible();
+  // A file has no description.
+  await openFile(page, 'mine.nc', Buffer.from('G00 X40 Z2\nG01 Z-10 F0.2\n'));
+  await expect(titleText(page)).toHaveText('mine.nc');
+  await expect(about).toBeHidden();
+  await expect(added).toBeHidden();
 });

@@ -1,6 +1,6 @@
 // Help for the word and the state at the cursor: by keyboard, by pointer, in three languages.
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { atCursor, editor, goTo, open, status, tab, type } from './page';
+import { atCursor, chooseLanguage, editor, goTo, open, status, tab, type } from './page';
 
 const THREAD =
   'O1\nT0101\nG97 S600 M03\nG00 X34 Z4\nG76 P021260 Q100 R0.05\nG76 X27.4 Z-25 P1299 Q400 F2\nG00 X100 Z100\nM30';
@@ -34,7 +34,7 @@ const IN_WORDS = {
 for (const locale of ['en', 'zh', 'ru'] as const) {
   test(`the meaning of Q is shown by keys alone, ${locale}`, async ({ page }) => {
     await open(page);
-    await page.locator('#language').selectOption(locale);
+    await chooseLanguage(page, locale);
     await type(page, THREAD);
     await goTo(page, 6, 'G76 X27.4 Z-25 P1299 '.length);
     const liveTexts = await announcements(page);
@@ -140,21 +140,22 @@ test('an answer belongs to the latest text', async ({ page }) => {
 
 test('the help is not loaded before the editor has the focus', async ({ page }) => {
   await open(page);
-  await expect(atCursor(page)).toContainText('what the word there is');
+  await expect(atCursor(page)).toContainText('Point at a word to read what it means');
   await editor(page).focus();
   await page.keyboard.press('Control+End');
   await expect(atCursor(page)).toContainText('no word');
 });
 
-test('on a phone the help is in the tab of the problems', async ({ page }) => {
+test('on a phone the help has a tab of its own', async ({ page }) => {
   await page.setViewportSize({ width: 460, height: 700 });
   await open(page);
   await tab(page, 'program').click();
   await type(page, THREAD);
   await goTo(page, 6, 'G76 X27.4 Z-25 P1299 '.length);
-  await tab(page, 'problems').click();
+  await expect(atCursor(page)).toHaveCount(0);
+  await tab(page, 'explain').click();
   await expect(atCursor(page)).toContainText('Q400');
-  await atCursor(page).getByRole('button').first().click();
+  // All of it is shown at once.
   await expect(atCursor(page).getByRole('table').first()).toBeVisible();
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(460);
 });

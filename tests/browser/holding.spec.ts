@@ -1,6 +1,6 @@
 // Pausing while the program plays: breakpoints, single-block mode, the block at the cursor.
 import { expect, test, type BasicPage } from './engines';
-import { goTo, open, type } from './page';
+import { goTo, open, openPace, type } from './page';
 
 const LOOP = [
   'O1',
@@ -20,7 +20,9 @@ const LOOP = [
 async function openLoop(page: BasicPage): Promise<void> {
   await open(page);
   await type(page, LOOP);
+  await openPace(page);
   await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  await page.keyboard.press('Escape');
 }
 
 const runningLine = (page: BasicPage): Promise<string | null> => page.locator('.cm-running-line').textContent();
@@ -51,7 +53,9 @@ test('a breakpoint pauses the tool in each pass, and moves with its line', async
 
 test('single-block mode pauses the tool after each block', async ({ page }) => {
   await openLoop(page);
+  await openPace(page);
   await page.getByRole('button', { name: 'Single block' }).click();
+  await page.keyboard.press('Escape');
   const lines = [];
   for (let press = 0; press < 4; press++) {
     await page.keyboard.press('Control+Enter');

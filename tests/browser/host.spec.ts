@@ -1,6 +1,7 @@
 // The host page of an element: its styles, direction and colours, and texts that look like scripts.
 import { expect, test, type BasicPage } from './engines';
 import { FOREIGN, manual, openHtml, programOf, settled, type Playground } from './embedded';
+import { chip } from './page';
 
 const PROGRAM = '#100=#1+5;\nG97 S800 M03\nG00 X52 Z2\nG01 X40 F0.2\nZ-20\nX54\n';
 
@@ -288,7 +289,8 @@ test('stored values and URLs do not execute scripts', { tag: '@night' }, async (
     await page.goto('./');
     await settled(page);
     expect(await programOf(page)).toContain(script);
-    await page.getByRole('button', { name: 'Choose machine' }).first().click();
+    await chip(page).click();
+    await page.getByRole('button', { name: 'Choose machine' }).click();
     await page.waitForTimeout(200);
     expect(await ran(page)).toBe(undefined);
     await page.goto(FOREIGN);

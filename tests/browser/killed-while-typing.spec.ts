@@ -9,7 +9,7 @@ import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
-import { editor, program, status, value } from './page';
+import { choose, editor, program, status, value } from './page';
 
 const KILLS = Number(process.env['PLAYGROUND_KILLS'] ?? 8);
 /** Longest time whose input may be missing, ms. */
@@ -91,7 +91,7 @@ async function crashTab(running: Running): Promise<void> {
  * dialog.
  */
 async function listCompared(page: ChromiumPage): Promise<void> {
-  await page.getByRole('button', { name: 'My programs…' }).click();
+  await choose(page, 'program', 'My programs…');
   const dialog = page.getByRole('dialog', { name: 'My programs' });
   await expect(dialog.getByRole('status')).not.toHaveText('');
   await dialog.getByRole('button', { name: 'Close' }).click();

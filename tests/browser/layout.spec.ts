@@ -1,8 +1,24 @@
 // Layout: tabs in small windows, and the divider.
 import { expect, test } from './engines';
-import { drawing, editor, open, problems, status, tab, type } from './page';
+import {
+  atCursor,
+  chip,
+  choose,
+  drawing,
+  editor,
+  open,
+  openMenu,
+  openProblems,
+  problems,
+  status,
+  tab,
+  title,
+  type,
+} from './page';
 
-test('in a low window, tabs show program, problems and state, and the drawing stays visible', async ({ page }) => {
+test('in a low window, tabs show program, problems and explanation, and the drawing stays visible', async ({
+  page,
+}) => {
   await page.setViewportSize({ width: 820, height: 420 });
   await open(page);
   await expect(tab(page, 'program')).toHaveAttribute('aria-selected', 'true');
@@ -17,14 +33,20 @@ test('in a low window, tabs show program, problems and state, and the drawing st
   await expect(page.getByRole('tabpanel', { name: /^Problems/ })).toBeVisible();
   // Arrow keys cycle through the tabs.
   await page.keyboard.press('ArrowRight');
-  await expect(tab(page, 'state')).toHaveAttribute('aria-selected', 'true');
-  await expect(status(page)).toContainText('1 motion');
-  await expect(page.getByRole('button', { name: 'Help (?)' })).toBeVisible();
-  await page.keyboard.press('ArrowRight');
-  await expect(tab(page, 'drawing')).toHaveAttribute('aria-selected', 'true');
+  await expect(tab(page, 'explain')).toHaveAttribute('aria-selected', 'true');
+  await expect(chip(page)).toBeVisible();
+  await expect(atCursor(page)).toContainText('The control before and after line');
+  await expect(problems(page)).toBeHidden();
   await expect(drawing(page)).toBeVisible();
+  await page.keyboard.press('ArrowRight');
+  await expect(tab(page, 'program')).toHaveAttribute('aria-selected', 'true');
+  await expect(editor(page)).toBeVisible();
+  // Screen readers hear the state of the run, whichever tab is open.
+  await expect(status(page)).toContainText('1 motion');
+  await expect(page.getByRole('button', { name: 'Help', exact: true })).toBeVisible();
   await page.keyboard.press('ArrowLeft');
-  await expect(tab(page, 'state')).toHaveAttribute('aria-selected', 'true');
+  await expect(tab(page, 'explain')).toHaveAttribute('aria-selected', 'true');
+  await expect(status(page)).toContainText('1 motion');
 
   // F8 shows the block of a problem from any tab.
   await page.keyboard.press('F8');
@@ -39,13 +61,17 @@ test('in a low window, tabs show program, problems and state, and the drawing st
 test('in a large window there are no tabs', async ({ page }) => {
   await open(page);
   await type(page, 'G0 X50 Z2\nX\nM30');
+  await openProblems(page);
   await expect(problems(page)).toBeVisible();
+  await expect(editor(page)).toBeVisible();
   await expect(tab(page, 'program')).toBeHidden();
   await expect(page.getByRole('tabpanel')).toHaveCount(0);
-  await expect(status(page)).toBeVisible();
+  await expect(status(page)).toContainText('1 motion');
 });
 
-test('the controls of the playback bar do not overlap', async ({ page }) => {
+test('the controls of the playback row, and the readout over the drawing, do not overlap and are not cut off', async ({
+  page,
+}) => {
   await open(page);
   await page.getByRole('button', { name: 'Next motion' }).click();
   for (const language of ['en', 'zh', 'ru']) {
@@ -55,19 +81,30 @@ test('the controls of the playback bar do not overlap', async ({ page }) => {
     for (let width = 740; width <= 1400; width += 60) {
       await page.setViewportSize({ width, height: 800 });
       const overlaps = await page.locator('gcode-playground').evaluate((element) => {
-        const bar = element.shadowRoot!.querySelector('.playback')!;
+        const root = element.shadowRoot!;
+        const [row, picture] = [root.querySelector('.playback')!, root.querySelector('.pictures')!];
         const controls = [
-          ...bar.querySelectorAll('.buttons > *, .unit, .scrub, .place > *, .view-buttons, .doing, .legend'),
+          ...row.children,
+          ...root.querySelectorAll('.readout .cell, .doing, .over-picture > button, .legend'),
         ].filter((control) => control.getClientRects().length > 0);
         const boxes = controls.map((control) => control.getBoundingClientRect());
+        const outside = controls.filter((control, at) => {
+          const [box, all] = [boxes[at]!, (row.contains(control) ? row : picture).getBoundingClientRect()];
+          return (
+            box.left < all.left || box.right > all.right || box.top < all.top - 0.5 || box.bottom > all.bottom + 0.5
+          );
+        });
         const share = (a: DOMRect, b: DOMRect): boolean =>
           Math.min(a.right, b.right) - Math.max(a.left, b.left) > 0.5 &&
           Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 0.5;
-        return boxes.flatMap((a, i) =>
-          boxes
-            .slice(i + 1)
-            .flatMap((b, j) => (share(a, b) ? [`${controls[i]?.className} ${controls[i + 1 + j]?.className}`] : [])),
-        );
+        return [
+          ...outside.map((control) => `cut off: ${control.className}`),
+          ...boxes.flatMap((a, i) =>
+            boxes
+              .slice(i + 1)
+              .flatMap((b, j) => (share(a, b) ? [`${controls[i]?.className} ${controls[i + 1 + j]?.className}`] : [])),
+          ),
+        ];
       });
       expect(overlaps, `${language}, ${width}`).toEqual([]);
     }
@@ -81,15 +118,15 @@ test('the divider is moved by keys, and keeps its position', async ({ page }) =>
   const before = await width();
   await divider.focus();
   for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight');
-  await expect(divider).toHaveAttribute('aria-valuenow', '50');
+  await expect(divider).toHaveAttribute('aria-valuenow', '52');
   await expect.poll(width).toBeLessThan(before - 100);
   const narrow = await width();
   await open(page);
-  await expect(divider).toHaveAttribute('aria-valuenow', '50');
+  await expect(divider).toHaveAttribute('aria-valuenow', '52');
   expect(Math.abs((await width()) - narrow)).toBeLessThan(2);
   await divider.focus();
   await page.keyboard.press('Enter');
-  await expect(divider).toHaveAttribute('aria-valuenow', '40');
+  await expect(divider).toHaveAttribute('aria-valuenow', '42');
   // The pointer moves it as well.
   const box = await divider.boundingBox();
   const [x, y] = [(box?.x ?? 0) + 4, (box?.y ?? 0) + 200];
@@ -106,20 +143,22 @@ test('playback keys work before any element has the focus', async ({ page }) => 
   await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
   await page.keyboard.press('F9');
   await expect(slider).not.toHaveAttribute('aria-valuetext', '–');
-  await page.locator('#language').focus();
+  // A button of the page around the element.
+  await page.getByRole('button', { name: 'About this program' }).focus();
   await page.keyboard.press('Control+Enter');
   await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
 });
 
 test('the text size of the whole page can be increased, also in the drawing', async ({ page }) => {
   await open(page);
-  const height = async (): Promise<number> => (await page.locator('#language').boundingBox())?.height ?? 0;
+  const height = async (): Promise<number> => (await title(page).boundingBox())?.height ?? 0;
   const before = await height();
-  await page.locator('#text-size').selectOption('200');
+  await choose(page, 'more', '200 %');
   await expect.poll(height).toBeGreaterThan(before * 1.7);
   await open(page);
-  await expect(page.locator('#text-size')).toHaveValue('200');
-  await page.locator('#text-size').selectOption('100');
+  await openMenu(page, 'more');
+  await expect(page.getByRole('menuitemradio', { name: '200 %' })).toHaveAttribute('aria-checked', 'true');
+  await page.getByRole('menuitemradio', { name: '100 %', exact: true }).click();
   await expect.poll(height).toBeLessThan(before * 1.1);
 });
 
@@ -127,16 +166,16 @@ test('presentation mode shows program and drawing in large type, and steps by th
   page,
 }) => {
   await open(page);
-  const present = page.getByRole('button', { name: 'Present', exact: true });
-  await present.click();
+  const share = page.getByRole('button', { name: 'Share', exact: true });
+  await choose(page, 'more', 'Present');
   await expect(page.getByRole('button', { name: 'End presentation' })).toBeVisible();
-  await expect(page.getByRole('button', { name: 'Export' })).toBeHidden();
+  await expect(share).toBeHidden();
   await page.keyboard.press('PageDown');
   await page.keyboard.press('PageDown');
   await expect(page.getByRole('slider')).not.toHaveAttribute('aria-valuetext', '–');
   await expect(drawing(page)).toBeVisible();
   await expect(editor(page)).toBeVisible();
   await page.getByRole('button', { name: 'End presentation' }).click();
-  await expect(present).toBeVisible();
-  await expect(page.getByRole('button', { name: 'Export' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'End presentation' })).toBeHidden();
+  await expect(share).toBeVisible();
 });

@@ -1,8 +1,8 @@
 // The table of motions in words: a text alternative of the drawing, navigated by keyboard, in sync with the tool.
 import { expect, test, type Page } from './engines';
-import { drawing, editor, open, openFile, status } from './page';
+import { choose, chooseLanguage, drawing, editor, open, openFile, status } from './page';
 
-const button = (page: Page) => page.getByRole('button', { name: 'Motions', exact: true });
+const menu = (page: Page) => page.getByRole('button', { name: 'More', exact: true });
 const table = (page: Page) => page.getByRole('grid', { name: 'Motions in words' });
 const marked = (page: Page) => page.locator('.motions tr[aria-selected="true"]');
 const TURNED = 'G99 M3 S800 T0101\nG0 X62 Z2\nG90 X55 Z-30 F0.2\nX50\nG0 X100 Z100\nM30\n';
@@ -16,8 +16,13 @@ test('all motions are listed in words, and arrow keys move the tool', async ({ p
   await open(page);
   await load(page, TURNED, '10');
   const about = await drawing(page).first().getAttribute('aria-describedby');
-  await expect(page.locator(`#${about ?? 'none'}`)).toHaveText('Its motions in words: button Motions');
-  await button(page).focus();
+  await expect(page.locator(`#${about ?? 'none'}`)).toHaveText('Its motions in words: menu More, Motions');
+  // By keys alone: the first letter goes to the item.
+  await menu(page).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('menuitem', { name: 'Motions', exact: true })).toBeVisible();
+  await page.keyboard.press('m');
+  await expect(page.getByRole('menuitem', { name: 'Motions', exact: true })).toBeFocused();
   await page.keyboard.press('Enter');
   await expect(table(page).getByRole('row')).toHaveCount(11);
   const row = (n: number) => table(page).getByRole('row').nth(n);
@@ -36,13 +41,13 @@ test('all motions are listed in words, and arrow keys move the tool', async ({ p
   await expect(row(10)).toBeFocused();
   await page.keyboard.press('Escape');
   await expect(table(page)).toBeHidden();
-  await expect(button(page)).toBeFocused();
+  await expect(menu(page)).toBeFocused();
 });
 
 test('the selected row follows the tool, and a click on a row moves the tool there', async ({ page }) => {
   await open(page);
   await load(page, TURNED, '10');
-  await button(page).click();
+  await choose(page, 'more', 'Motions');
   await editor(page).focus();
   await page.keyboard.press('F9');
   await page.keyboard.press('F9');
@@ -56,7 +61,7 @@ test('the selected row follows the tool, and a click on a row moves the tool the
   await test.step('the table is updated after an edit and a change of language', async () => {
     await load(page, TURNED.replace('X50', 'X48'), '10');
     await expect(table(page)).toContainText('cut at feed to X48 Z-30');
-    await page.getByLabel('Language').selectOption('zh');
+    await chooseLanguage(page, 'zh');
     await expect(page.getByRole('grid', { name: '动作的文字说明' })).toContainText('第 2 刀');
   });
 });
@@ -68,7 +73,7 @@ test('for a long program, the page only contains the rows around the tool', asyn
     (_, at) => `G1 X${(20 + (at % 50) / 10).toFixed(1)} Z${(-at / 100).toFixed(2)}`,
   );
   await load(page, `G99 M3 S800 T0101\nG0 X30 Z2\nG1 F0.2\n${lines.join('\n')}\nM30\n`, '5,001');
-  await button(page).click();
+  await choose(page, 'more', 'Motions');
   await expect(table(page).getByRole('row').nth(1)).toBeFocused();
   await page.keyboard.press('End');
   await expect(marked(page)).toContainText('Z-49.99');

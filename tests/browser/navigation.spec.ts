@@ -1,6 +1,6 @@
 // Navigation in a program: occurrences of a number, the outline, folding. By keyboard, in three languages.
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { atCursor, editor, goTo, open, runAgain, selected, type } from './page';
+import { atCursor, chooseLanguage, editor, goTo, open, runAgain, selected, type } from './page';
 
 const CONTOUR = [
   'O1000 (SHAFT)',
@@ -94,7 +94,7 @@ const OUTLINE = { en: 'Outline of the program', zh: '程序大纲', ru: 'Стр�
 for (const locale of ['en', 'zh', 'ru'] as const) {
   test(`the outline is searched and closed by keys alone, ${locale}`, async ({ page }) => {
     await open(page);
-    await page.locator('#language').selectOption(locale);
+    await chooseLanguage(page, locale);
     await type(page, CONTOUR);
     await goTo(page, 13, 4);
     await page.keyboard.press('Control+Shift+O');

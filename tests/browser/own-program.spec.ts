@@ -1,7 +1,20 @@
 // Own programs: a text that replaces the previous one is a new program with its own context, and one undo restores the
 // previous program with its context. The program of a link stays in the URL until the text differs.
 import { expect, test, type Page } from './engines';
-import { copy, editor, open, openFile, problems, program, status, value } from './page';
+import {
+  chip,
+  chooseControl,
+  copy,
+  editor,
+  open,
+  openFile,
+  openProblems,
+  problems,
+  program,
+  status,
+  value,
+  titleText,
+} from './page';
 
 const OWN = 'G00 X32 Z2\nG90 X28 Z-30 F0.2\n';
 /** An example for a GSK control with its own blank. */
@@ -18,23 +31,23 @@ const context = (page: Page): Promise<Record<string, string | null>> =>
   });
 
 const NEUTRAL = { control: null, setup: null, blockSkip: null, program: null, origin: null };
-const control = (page: Page) => page.getByRole('combobox', { name: 'Control' });
-const title = (page: Page) => page.getByRole('heading', { level: 2 });
+/** The button for the description, which only an example has. */
+const about = (page: Page) => page.getByRole('button', { name: 'About this program' });
 
-async function expectOwn(page: Page): Promise<void> {
+async function expectOwn(page: Page, name = 'My own program'): Promise<void> {
   await expect.poll(() => context(page)).toEqual(NEUTRAL);
-  await expect(control(page)).toHaveValue('fanuc');
-  await expect(title(page)).toHaveCount(0);
-  await expect(page.getByRole('combobox', { name: 'Example' })).toHaveValue('');
+  await expect(chip(page)).toContainText('FANUC');
+  await expect(titleText(page)).toHaveText(name);
+  await expect(about(page)).toBeHidden();
   await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
 }
 
 async function expectExample(page: Page, before: Record<string, string | null>): Promise<void> {
   await expect.poll(() => value(page)).toBe(program(EXAMPLE));
   await expect.poll(() => context(page)).toEqual(before);
-  await expect(control(page)).toHaveValue('gsk');
-  await expect(title(page)).toHaveCount(1);
-  await expect(page.getByRole('combobox', { name: 'Example' })).toHaveValue(EXAMPLE);
+  await expect(chip(page)).toContainText('GSK 980TD');
+  await expect(titleText(page)).toHaveText('Steps and a cone from one ⌀125 blank');
+  await expect(about(page)).toBeVisible();
   await expect.poll(() => address(page)).toMatch(/#s000-o0002$/);
 }
 
@@ -69,7 +82,9 @@ test('a text that replaces everything is a new program, and one undo restores th
     await test.step(how, async () => {
       await act();
       await expect.poll(() => value(page)).toBe(OWN);
-      await expectOwn(page);
+      await expectOwn(page, how === 'opened' ? 'own.nc' : undefined);
+      await openProblems(page);
+      await expect(problems(page).getByRole('listitem').first()).toBeVisible();
       await expect(problems(page).getByText(/stock/i)).toHaveCount(0);
       await editor(page).focus();
       await page.keyboard.press('Control+z');
@@ -79,7 +94,7 @@ test('a text that replaces everything is a new program, and one undo restores th
   await test.step('redo restores the own program without them', async () => {
     await page.keyboard.press('Control+Shift+z');
     await expect.poll(() => value(page)).toBe(OWN);
-    await expectOwn(page);
+    await expectOwn(page, 'own.nc');
   });
 });
 
@@ -120,7 +135,7 @@ test('an edit, and a text that keeps most of the program, keep its context', asy
   await expect.poll(() => context(page)).toEqual(before);
   await pasteOver(page, text.split('\n').slice(0, 4).join('\n'));
   await expect.poll(() => context(page)).toEqual(before);
-  await expect(title(page)).toHaveCount(1);
+  await expect(about(page)).toBeVisible();
 });
 
 test('a text set by the host page keeps the attributes set by the host page', async ({ page }) => {
@@ -175,7 +190,8 @@ test('the program of a link stays in the URL until the text differs', async ({ p
   await page.keyboard.press('Control+End');
   await page.keyboard.insertText('G');
   await page.keyboard.press('Backspace');
-  await page.getByRole('combobox', { name: 'Control' }).selectOption('gsk');
+  await chooseControl(page, 'gsk');
+  await expect(chip(page)).toContainText('GSK 980TD');
   await page.waitForTimeout(600);
   expect(await address(page)).toContain('#program=');
 

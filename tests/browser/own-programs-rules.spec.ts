@@ -100,7 +100,7 @@ test('stored values of any type are read without an exception, and values of a w
         `${key} ${JSON.stringify(of)}`,
       ).not.toThrow();
     }
-    for (const field of ['language', 'theme', 'hints', 'split', 'textSize']) {
+    for (const field of ['language', 'theme', 'hints', 'split', 'textSize', 'description']) {
       localStorage.setItem('gcode-playground:choices', JSON.stringify({ [field]: of }));
       expect(storage.readChoices()).toEqual(typeof of === 'string' ? { [field]: of } : {});
     }

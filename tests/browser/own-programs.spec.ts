@@ -4,17 +4,16 @@
 import { readFileSync } from 'node:fs';
 import { expect, test, type BasicPage, type Locator, type Page } from './engines';
 import { addInHiddenTab, items, kept, list, secondTab } from './own-programs';
-import { editor, open, openFile, program, type, value } from './page';
+import { chip, choose, chooseExample, editor, open, openFile, program, title, type, value, titleText } from './page';
 
 const SHAFT = 'O0011 (SHAFT)\nG00 X32 Z2\nG01 Z-30 F0.2\nM30\n';
 const BUSH = 'O0012 (BUSH)\nG00 X42 Z2\nG01 Z-10 F0.2\nG00 X60\nM30\n';
 const EXAMPLE = 's000-o0002';
 
-const button = (page: BasicPage) => page.getByRole('button', { name: 'My programs…' }).first();
 const notice = (page: BasicPage) => page.locator('#own-news');
 
 async function openList(page: BasicPage): Promise<void> {
-  await button(page).click();
+  await choose(page, 'program', 'My programs…');
   await expect(list(page).getByRole('status')).not.toHaveText('');
 }
 
@@ -88,8 +87,8 @@ test('a changed example, a file and a pasted text are in the list, and an unchan
     await items(page).nth(2).getByRole('button').first().click();
     await expect(list(page)).toBeHidden();
     expect(await value(page)).toBe(`${program(EXAMPLE)}(mine)`);
-    await expect(page.getByRole('combobox', { name: 'Control' })).toHaveValue('gsk');
-    await expect(page.getByRole('combobox', { name: 'Example' })).toHaveValue(EXAMPLE);
+    await expect(chip(page)).toContainText('GSK 980TD');
+    await expect(titleText(page)).toHaveText('Steps and a cone from one ⌀125 blank');
   });
   await test.step('another edit changes the same program', async () => {
     await typeAtEnd(page, '(again)');
@@ -256,10 +255,13 @@ test('requests at the same time are executed in order: an import while a program
 
 test('a program that is replaced by another one is stored with its last edit', async ({ page }) => {
   await open(page);
+  // Loads the gallery, so that it opens at once.
+  await choose(page, 'program', 'Gallery…');
+  await page.getByRole('dialog', { name: 'Gallery' }).getByRole('button', { name: 'Close', exact: true }).click();
   await type(page, SHAFT);
   await typeAtEnd(page, 'G4 X1');
   // Before the timer stores it.
-  await page.getByLabel('Example').selectOption('s003-g71');
+  await chooseExample(page, 'Rough turning to a contour: G71 and G70');
   await expect.poll(() => value(page)).toBe(program('s003-g71'));
   await openList(page);
   await items(page).nth(0).getByRole('button').first().click();
@@ -429,7 +431,8 @@ test('a full list reports that it stores no more, and the text stays in the edit
 const press = (button: Locator): Promise<void> => button.evaluate((element) => element.click());
 
 async function openListInHiddenTab(page: BasicPage): Promise<void> {
-  await press(button(page));
+  await press(title(page));
+  await press(page.getByRole('menuitem', { name: 'My programs…' }));
   await expect(list(page).getByRole('status')).not.toHaveText('');
 }
 
@@ -591,6 +594,7 @@ test('stored values of any type are treated as untrusted input', { tag: '@night'
     'hints',
     'split',
     'textSize',
+    'description',
     'text',
     'example',
     'control',

@@ -33,10 +33,9 @@ export const play = (page: BasicPage): Locator => page.getByRole('button', { nam
 export const tooltip = (page: BasicPage): Locator => page.getByRole('tooltip');
 /** Tabs of a small window. */
 const TABS = {
-  drawing: /^(Drawing|图形|Чертёж)$/,
   program: /^(Program|程序|Программа)$/,
   problems: /^(Problems|问题|Замечания)/,
-  state: /^(State|状态|Состояние)$/,
+  explain: /^(Explain|说明|Пояснение)$/,
 } as const;
 
 export const tab = (page: BasicPage, which: keyof typeof TABS): Locator => page.getByRole('tab', { name: TABS[which] });
@@ -65,17 +64,7 @@ export async function open(page: BasicPage, hash = ''): Promise<void> {
   await expect(status(page)).toContainText(/\d/);
   // The status ends with dots while something is still loading.
   await expect(status(page)).not.toContainText('…');
-  await page.locator('gcode-playground').evaluate(waitForLayout);
-}
-
-/** Waits for content that arrives after the first picture, so that the layout no longer moves under a click. */
-async function waitForLayout(element: Element): Promise<void> {
-  await (element as Playground).settled;
-  const examples = document.querySelector<HTMLSelectElement>('#example');
-  // A test may block the list of examples.
-  const end = performance.now() + 3000;
-  while (examples !== null && examples.options.length < 2 && performance.now() < end)
-    await new Promise((done) => setTimeout(done, 10));
+  await page.locator('gcode-playground').evaluate((element) => (element as Playground).settled);
 }
 
 /** Replaces the text like a user: select all, then type. */
@@ -102,7 +91,7 @@ export async function goTo(page: BasicPage, line: number, letter = 0): Promise<v
 /** Opens a text as a file; for texts that are too long to type. */
 export async function openFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
   await page
-    .locator('header input[type=file]')
+    .locator('input[type=file][accept*=".nc"]')
     .setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });
 }
 
@@ -194,4 +183,91 @@ export async function selected(page: BasicPage): Promise<string> {
 
 function read(id: string, file: string): string {
   return readFileSync(join(__dirname, '..', 'programs', id, file), 'utf8');
+}
+
+const MENUS = {
+  share: /^(Share|分享|Поделиться)$/,
+  help: /^(Help|帮助|Справка)$/,
+  more: /^(More|更多|Ещё)$/,
+} as const;
+
+/** The button with the title of the program, which opens the menu "Program". */
+export const title = (page: BasicPage): Locator => page.locator('button[aria-haspopup=menu]').first();
+
+/** The title of the program, which the page puts into that button. */
+export const titleText = (page: BasicPage): Locator => page.locator('#title');
+
+/** Opens a menu of the row at the top. */
+export async function openMenu(page: BasicPage, menu: 'program' | keyof typeof MENUS): Promise<void> {
+  await (menu === 'program' ? title(page) : page.getByRole('button', { name: MENUS[menu] })).click();
+}
+
+/** Chooses an item of a menu of the row at the top; `item` is its whole text or a pattern. */
+export async function choose(
+  page: BasicPage,
+  menu: 'program' | keyof typeof MENUS,
+  item: string | RegExp,
+): Promise<void> {
+  await openMenu(page, menu);
+  const name = typeof item === 'string' ? { name: item, exact: true } : { name: item };
+  await page
+    .getByRole('menuitem', name)
+    .or(page.getByRole('menuitemradio', name))
+    .or(page.getByRole('menuitemcheckbox', name))
+    .click();
+}
+
+/** Opens a program of the gallery by its title. */
+export async function chooseExample(page: BasicPage, name: string): Promise<void> {
+  await choose(page, 'program', /^(Gallery|全部示例|Все примеры)…$/);
+  await page.getByRole('dialog').getByRole('button').filter({ hasText: name }).first().click();
+}
+
+/** The chip that says how the program was read. */
+export const chip = (page: BasicPage): Locator =>
+  page.getByRole('button', { name: /^(How the program was read|程序的读法|Как прочитана программа)/ });
+
+/** Chooses the control in the setup form. */
+export async function chooseControl(page: BasicPage, name: string): Promise<void> {
+  await chip(page).click();
+  await page.getByRole('button', { name: /^(Change…|更改…|Изменить…)$/ }).click();
+  const form = page.getByRole('dialog', { name: /^(Setup|毛坯与刀具|Наладка)/ });
+  await form.getByRole('combobox', { name: /^(Control|数控系统|Система ЧПУ)/ }).selectOption(name);
+  await form.getByRole('button', { name: /^(Apply|应用|Применить)$/ }).click();
+}
+
+/** Opens the list of problems, unless it is open. A new program with errors opens it, too: possibly at the same time. */
+export async function openProblems(page: BasicPage): Promise<void> {
+  await expect(async () => {
+    if ((await problems(page).count()) === 0) await problemsButton(page).click();
+    await expect(problems(page)).toBeVisible({ timeout: 1000 });
+  }).toPass({ timeout: 10_000 });
+}
+
+const LANGUAGE_NAMES = { en: 'English', zh: '中文', ru: 'Русский' } as const;
+
+/** Chooses the language of the page in the menu "More". */
+export async function chooseLanguage(page: BasicPage, language: keyof typeof LANGUAGE_NAMES): Promise<void> {
+  await choose(page, 'more', LANGUAGE_NAMES[language]);
+}
+
+/** Opens the popover beside the slider with speed, steps and stops; Escape closes it. */
+export async function openPace(page: BasicPage): Promise<void> {
+  await page.getByRole('button', { name: /^(Speed and steps|速度与步进|Скорость и шаг)/ }).click();
+}
+
+/** The button over the program that says how many problems there are; it opens and closes their list. */
+export const problemsButton = (page: BasicPage): Locator =>
+  page.getByRole('button', {
+    name: /^(Problems|问题|Замечания)[:：]|^(no problems|没有问题|замечаний нет)$/,
+  });
+
+/** What the chip over the program opens: how the program was read, switches, unit. */
+export const reading = (page: BasicPage): Locator =>
+  page.getByRole('dialog', { name: /^(How the program was read|程序的读法|Как прочитана программа)$/ });
+
+/** Opens what the chip over the program opens, unless it is open. */
+export async function openReading(page: BasicPage): Promise<void> {
+  if ((await reading(page).count()) === 0) await chip(page).click();
+  await expect(reading(page)).toBeVisible();
 }

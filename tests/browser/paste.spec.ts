@@ -1,7 +1,7 @@
 // Pasting or opening a text that contains more than a program: the page offers to extract programs, and typed text is
 // never lost.
 import { expect, test, type Page } from './engines';
-import { copy, editor, open, openFile, status, value } from './page';
+import { choose, copy, editor, open, openFile, status, value } from './page';
 
 const dialog = (page: Page) => page.getByRole('dialog', { name: 'Programs in this text' });
 const cleaned = (page: Page) => dialog(page).getByRole('region', { name: 'The program, cleaned' });
@@ -54,7 +54,7 @@ test('the text is unchanged when it is pasted as it is', async ({ page }) => {
   await expect(dialog(page)).toBeHidden();
   expect(await value(page)).toBe(SLIDE);
 
-  await page.getByRole('button', { name: 'Programs in a text…' }).click();
+  await choose(page, 'program', 'Programs in a text…');
   await expect(dialog(page)).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(dialog(page)).toBeHidden();
@@ -83,12 +83,12 @@ test('a plain program is pasted without a message, and a text without programs i
   await paste(page, plain);
   await expect(status(page)).toContainText('2 motions');
   await expect(dialog(page)).toBeHidden();
-  await page.getByRole('button', { name: 'Programs in a text…' }).click();
+  await choose(page, 'program', 'Programs in a text…');
   await expect(cleaned(page)).toContainText('G01 Z-20.0 F100 (cut)');
   await expect(dialog(page).getByRole('radio', { name: /as it was/ })).toBeChecked();
   await dialog(page).getByRole('button', { name: 'Close' }).click();
   await paste(page, 'Nothing but a sentence about turning.');
-  await page.getByRole('button', { name: 'Programs in a text…' }).click();
+  await choose(page, 'program', 'Programs in a text…');
   await expect(page.getByText('No program was found in this text.')).toBeVisible();
 });
 

@@ -1,9 +1,9 @@
 // On a phone and in dark mode: touch, a small screen and the system's colour scheme, which only Playwright can emulate.
 // The screenshots in test-results are for manual review, not goldens.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
-import { drawing, editor, open, play, status, tab } from './page';
+import { choose, drawing, editor, open, play, problems, problemsButton, status, tab, title, type, value } from './page';
 
-test('a phone shows drawing, playback, program and status together, with no overflow', async ({
+test('a phone shows title, drawing, playback, program and tabs together, with no overflow', async ({
   browser,
   baseURL,
 }, info) => {
@@ -17,16 +17,79 @@ test('a phone shows drawing, playback, program and status together, with no over
   });
   const page = (await context.newPage()) as ChromiumPage;
   await open(page);
-  for (const part of [drawing(page), play(page), editor(page), status(page)]) {
+  for (const part of [title(page), drawing(page), play(page), editor(page), tab(page, 'problems')]) {
     await expect(part).toBeInViewport();
   }
   const button = await play(page).boundingBox();
   expect(button?.height).toBeGreaterThanOrEqual(44);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
   await page.screenshot({ path: info.outputPath('phone.png') });
-  await page.getByRole('button', { name: 'Settings' }).tap();
-  await expect(page.getByLabel('Language')).toBeVisible();
-  await page.screenshot({ path: info.outputPath('phone-settings.png') });
+  await page.getByRole('button', { name: 'More', exact: true }).tap();
+  await expect(page.getByRole('menuitemradio', { name: 'English' })).toBeInViewport();
+  await page.screenshot({ path: info.outputPath('phone-menu.png') });
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('menuitemradio', { name: 'English' })).toBeHidden();
+
+  // The tab has the number of problems, also while another tab is selected.
+  await type(page, 'G99 M3 S800\nG00 X50 Z2\nG01 X60 Z- F0.2\nM30');
+  await expect(status(page)).toContainText(/\d problem/);
+  const count = /(\d+) problem/.exec((await status(page).textContent()) ?? '')?.[1] ?? '';
+  await expect(tab(page, 'problems')).toHaveText(`Problems ${count}`);
+  await tab(page, 'problems').click();
+  await expect(problems(page).getByRole('listitem').first()).toBeInViewport();
+  await expect(drawing(page)).toBeInViewport();
+  // The tab says it already.
+  await expect(problemsButton(page)).toBeHidden();
+  await context.close();
+});
+
+test('above the keyboard of a phone are a row of keys and at least 8 lines of the program', async ({
+  browser,
+  baseURL,
+}, info) => {
+  const context = await browser.newContext({
+    ...(baseURL === undefined ? {} : { baseURL }),
+    // The keyboard takes 334 of 844 pixels; the page gets the rest.
+    viewport: { width: 390, height: 510 },
+    isMobile: true,
+    hasTouch: true,
+    locale: 'en-US',
+  });
+  const page = (await context.newPage()) as ChromiumPage;
+  await open(page);
+  const row = page.getByRole('toolbar', { name: 'Keys' });
+  await expect(row).toBeHidden();
+  await page.getByRole('textbox', { name: 'Program' }).tap();
+  await expect(row).toBeVisible();
+  // The row at the top, the playback and the tabs make room.
+  for (const hidden of [title(page), play(page), tab(page, 'problems')]) await expect(hidden).toBeHidden();
+  const first = ['Undo', '−', '.', ';', 'X', 'Z', 'G', 'F'];
+  expect(
+    (
+      await row
+        .getByRole('button')
+        .evaluateAll((keys) => keys.map((key) => key.getAttribute('aria-label') ?? key.textContent))
+    ).slice(0, 8),
+  ).toEqual(first);
+  for (const key of await row.getByRole('button').all()) {
+    const box = await key.boundingBox();
+    expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(44);
+  }
+  const lines = await page.locator('.cm-line').evaluateAll((lines) => {
+    const scroller = lines[0]?.closest('.cm-scroller')?.getBoundingClientRect();
+    return lines.filter((line) => {
+      const { top, bottom } = line.getBoundingClientRect();
+      return scroller !== undefined && top >= scroller.top - 1 && bottom <= scroller.bottom + 1;
+    }).length;
+  });
+  expect(lines).toBeGreaterThanOrEqual(8);
+  await page.screenshot({ path: info.outputPath('typing.png') });
+  await page.keyboard.press('Control+End');
+  for (const key of ['G', 'X', '−', '.', ';']) await row.getByRole('button', { name: key, exact: true }).tap();
+  await expect.poll(() => value(page)).toContain('GX-.;');
+  await expect(editor(page)).toBeFocused();
+  await row.getByRole('button', { name: 'Undo' }).tap();
+  await expect.poll(() => value(page)).not.toContain('GX-.;');
   await context.close();
 });
 
@@ -39,10 +102,10 @@ test('light and dark mode follow the system or the setting', async ({ page }, in
   const dark = await ground();
   expect(dark).not.toBe(light);
   await page.screenshot({ path: info.outputPath('dark.png') });
-  await page.getByLabel('Theme').selectOption('light');
+  await choose(page, 'more', 'Light');
   expect(await ground()).toBe(light);
   await page.emulateMedia({ colorScheme: 'light' });
-  await page.getByLabel('Theme').selectOption('dark');
+  await choose(page, 'more', 'Dark');
   expect(await ground()).toBe(dark);
 });
 
@@ -53,9 +116,8 @@ test('the table of codes is shown in Chinese and Russian, in dark mode and on a 
 }, info) => {
   await open(page);
   await page.emulateMedia({ colorScheme: 'dark' });
-  await page.getByLabel('Language').selectOption('zh');
-  await page.getByRole('button', { name: '帮助 (?)' }).click();
-  await page.getByRole('button', { name: '支持的代码' }).click();
+  await choose(page, 'more', '中文');
+  await choose(page, 'help', '支持的代码');
   await expect(page.getByRole('dialog', { name: '支持的代码' })).toContainText('快速定位');
   await page.screenshot({ path: info.outputPath('codes-dark-zh.png') });
 
@@ -69,10 +131,18 @@ test('the table of codes is shown in Chinese and Russian, in dark mode and on a 
   });
   const phone = (await context.newPage()) as ChromiumPage;
   await open(phone);
-  await tab(phone, 'state').click();
-  await phone.getByRole('button', { name: 'Справка (?)' }).tap();
+  // On a phone the items of "Help" are in the menu "More".
+  await expect(phone.getByRole('button', { name: 'Справка', exact: true })).toBeHidden();
+  const more = phone.getByRole('button', { name: 'Ещё', exact: true });
+  await more.tap();
+  await phone.getByRole('menuitem', { name: 'Клавиши и жесты' }).tap();
+  const keys = phone.getByRole('dialog', { name: 'Клавиши и жесты' });
+  await expect(keys).toBeInViewport();
   await phone.screenshot({ path: info.outputPath('help-phone.png') });
-  await phone.getByRole('button', { name: 'Поддерживаемые коды' }).tap();
+  await keys.getByRole('button', { name: 'Закрыть' }).tap();
+  await expect(keys).toBeHidden();
+  await more.tap();
+  await phone.getByRole('menuitem', { name: 'Поддерживаемые коды' }).tap();
   const table = phone.getByRole('dialog', { name: 'Поддерживаемые коды' });
   await expect(table).toContainText('ускоренное перемещение');
   await phone.screenshot({ path: info.outputPath('codes-phone-ru.png') });

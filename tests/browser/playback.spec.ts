@@ -8,6 +8,17 @@ const share = async (page: Page): Promise<number> => Number(await slider(page).i
 const shown = (page: Page, name: string) =>
   page.locator('.cell', { has: page.locator('dt', { hasText: new RegExp(`^${name}$`) }) }).locator('dd');
 const running = (page: Page) => page.locator('.cm-running-line');
+/** The popover of speed, steps and stops. */
+const options = (page: Page) => page.getByRole('dialog', { name: 'Speed and steps' });
+const optionsButton = (page: Page) => page.getByRole('button', { name: /^Speed and steps: / });
+
+async function setSpeed(page: Page, speed: string): Promise<void> {
+  await optionsButton(page).click();
+  await options(page).getByRole('combobox', { name: 'Speed' }).selectOption(speed);
+  await optionsButton(page).click();
+  await expect(options(page)).toBeHidden();
+  await expect(optionsButton(page)).toHaveText(speed);
+}
 
 const STOPS = 'T0101\nG99 M03 S500\nG00 X50 Z2\nG01 Z-10 F0.2\nM01\nG00 X60\nZ2\nM00\nG00 X80\nM30\n';
 
@@ -33,7 +44,8 @@ test('steps go forward and back by motion, block and pass, by keyboard', async (
   await at('Shift+F9', 'X45', '62.000', '−30.000');
   await at('Alt+Shift+F9', 'G90 X50 Z-30 F0.2', '62.000', '2.000');
   await at('Control+Shift+F9', 'G00 X62 Z2', '62.000', '2.000');
-  await page.getByRole('combobox', { name: 'Step by' }).selectOption('block');
+  await optionsButton(page).click();
+  await options(page).getByRole('combobox', { name: 'Step by' }).selectOption('block');
   await page.getByRole('button', { name: 'Next block' }).click();
   await expect(running(page)).toHaveText('G90 X50 Z-30 F0.2');
 });
@@ -42,7 +54,7 @@ test('playback stops at M00, at M01 if optional stop is on, and resumes from the
   await open(page);
   await load(page, STOPS, 5);
   const doing = page.locator('.doing');
-  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  await setSpeed(page, '50×');
   const held = async (code: string, line: number): Promise<void> => {
     await expect(doing).toContainText(`${code} in line ${line}`);
     await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
@@ -55,7 +67,8 @@ test('playback stops at M00, at M01 if optional stop is on, and resumes from the
   await held('M00', 8);
   await page.keyboard.press('Control+Enter');
   await expect.poll(() => share(page)).toBe(1);
-  const optional = page.getByRole('button', { name: 'Optional stop' });
+  await optionsButton(page).click();
+  const optional = options(page).getByRole('button', { name: 'Optional stop' });
   await optional.focus();
   await page.keyboard.press('Space');
   await expect(optional).toHaveAttribute('aria-pressed', 'false');
@@ -72,12 +85,24 @@ test('the readout shows feed, speed, time and tool, and marks unknown values', a
   await expect(shown(page, 'Spindle')).toHaveText('796 rpm');
   await expect(shown(page, 'Cutting speed')).toHaveText('100 m/min');
   await expect(shown(page, 'Feed')).toHaveText('0.25 mm/rev · 199 mm/min');
-  // 32 mm at 198.9 mm/min.
-  await expect(shown(page, 'Time')).toHaveText('0:09 / 0:12 + 3 rapids');
+  // 32 mm at 198.9 mm/min are 9.65 s, and the dwell 3 s. Rapids at 8 m/min: 198 mm to Z2 in 1.485 s, then 11 mm and
+  // 20 mm across.
+  const time = page.locator('[part~=time]');
+  await expect(time).toHaveText('0:11 / 0:14');
+  await expect(time).toBeInViewport();
   await expect(shown(page, 'Tool')).toHaveText('T0101 turning tool, assumed');
   await page.keyboard.press('F9');
   await expect(page.locator('.doing')).toContainText('3 s');
-  await expect(shown(page, 'Time')).toContainText('0:12 /');
+  await expect(time).toContainText('0:14 /');
+
+  await test.step('the readout is shown only while there is a position', async () => {
+    const readout = page.locator('[part~=readout]');
+    await expect(readout).toBeInViewport();
+    await page.getByRole('button', { name: 'Show the whole path' }).click();
+    await expect(readout).toBeHidden();
+    await expect(time).toHaveText('0:14');
+    await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeFocused();
+  });
 });
 
 test('a program of any length plays in about 20 s', { tag: '@night' }, async ({ page }) => {
@@ -108,7 +133,7 @@ test('the editor scrolls to the running block, except while the user scrolls', a
   await load(page, `G99 M03 S500\nG00 X50 Z2 F0.2\n${cuts}\nM30\n`, 201);
   const scroller = page.locator('.cm-scroller').first();
   const top = () => scroller.evaluate((element) => element.scrollTop);
-  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  await setSpeed(page, '50×');
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await expect.poll(top).toBeGreaterThan(200);
   await expect(running(page)).toBeInViewport();
@@ -139,7 +164,11 @@ test('playback starts from the block at the cursor', async ({ page }) => {
   await expect(running(page)).toHaveText('X45');
   await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
   await page.getByRole('button', { name: 'Pause' }).click();
-  await page.getByRole('button', { name: /^Start at the block/ }).click();
+  await optionsButton(page).click();
+  await options(page)
+    .getByRole('button', { name: /^Start at the block/ })
+    .click();
+  await expect(options(page)).toBeHidden();
   await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
 });
 
@@ -152,7 +181,7 @@ for (const [key, line, atX] of [
 ] as const) {
   test(`${key} right after typing waits for the path of the typed text`, async ({ page }) => {
     await open(page);
-    await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+    await setSpeed(page, '50×');
     // Without motions there is nothing to play yet.
     await type(page, '(EMPTY)');
     await expect(page.getByRole('button', { name: 'Next motion' })).toBeDisabled();
@@ -192,5 +221,14 @@ test('the legend lists the contents of the picture, and no button covers it', as
   for (const what of ['rapid', 'cutting', 'cut off the blank', 'collision']) await expect(legend).toContainText(what);
   const picture = await page.locator('[part~=drawing]').first().boundingBox();
   const button = await page.getByRole('button', { name: 'Zoom in (+)' }).boundingBox();
-  expect(button?.y).toBeGreaterThan((picture?.y ?? 0) + (picture?.height ?? 0) - 1);
+  expect((button?.y ?? 0) + (button?.height ?? 0)).toBeLessThan((picture?.y ?? 0) + 1);
+
+  await test.step('nor does the readout', async () => {
+    await editor(page).focus();
+    await page.keyboard.press('F9');
+    await expect(page.locator('[part~=readout]')).toBeVisible();
+    await expect(legend).toBeHidden();
+    await page.getByRole('button', { name: 'Show the whole path' }).click();
+    await expect(legend).toBeVisible();
+  });
 });

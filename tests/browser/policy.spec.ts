@@ -5,7 +5,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test, expect, type BasicPage } from './engines';
 import { pressEveryButton, settled } from './embedded';
-import { editor, open, openFile, problems, program, type, value } from './page';
+import { choose, editor, open, openFile, openProblems, problems, program, type, value } from './page';
 import { serve, type Site } from './sites';
 
 const DIST = join(__dirname, '..', '..', 'www', 'dist');
@@ -153,19 +153,19 @@ test('all features of the page work under its policy', async ({ page }) => {
   });
   await open(page);
   await type(page, TEXT);
-  await problems(page).getByRole('button').first().click();
+  await openProblems(page);
+  await problems(page).getByRole('listitem').first().getByRole('button').first().click();
   await openFile(page, 'part.nc', Buffer.from(program('s003-g71')));
   await expect.poll(() => value(page)).toContain('G71');
   await settled(page);
   await test.step('saved and exported', async () => {
-    for (const [button, item] of [
-      ['Save file', undefined],
-      ['Export', /PNG/],
-      ['Export', /SVG/],
+    for (const [menu, item] of [
+      ['program', 'Save file'],
+      ['share', /PNG/],
+      ['share', /SVG/],
     ] as const) {
       const saved = page.waitForEvent('download');
-      await page.getByRole('button', { name: button, exact: true }).click();
-      if (item !== undefined) await page.getByRole('menuitem', { name: item }).click();
+      await choose(page, menu, item);
       expect(readFileSync(await (await saved).path()).length).toBeGreaterThan(100);
     }
   });
@@ -176,7 +176,7 @@ test('all features of the page work under its policy', async ({ page }) => {
     expect(await pictureOnPaper(page)).toBeGreaterThan(100);
   });
   await test.step('shared', async () => {
-    await page.getByRole('button', { name: /^Share/ }).click();
+    await choose(page, 'share', 'Link, task, QR code…');
     for (const [form, image] of [
       ['qr', 'QR code of the link'],
       ['picture', 'Picture'],
@@ -186,14 +186,18 @@ test('all features of the page work under its policy', async ({ page }) => {
     }
     await page.keyboard.press('Escape');
   });
-  for (const language of ['zh', 'ru', 'en']) await page.locator('#language').selectOption(language);
-  await page.evaluate(async () => {
-    for (const button of document.querySelectorAll<HTMLElement>('#gallery, #actions button')) {
-      button.click();
+  for (const language of ['中文', 'Русский', 'English']) await choose(page, 'more', language);
+  // The items that the page adds to the menus: those of the element are pressed below.
+  const pressed = await page.evaluate(async () => {
+    const items = document.querySelectorAll<HTMLElement>('gcode-playground > [slot$="-menu"] [role^="menuitem"]');
+    for (const item of items) {
+      item.click();
       await new Promise((done) => setTimeout(done, 150));
       for (const dialog of document.querySelectorAll<HTMLDialogElement>('dialog[open]')) dialog.close();
     }
+    return items.length;
   });
+  expect(pressed).toBeGreaterThan(10);
   await pressEveryButton(page);
   expect(await blocked(page)).toEqual([]);
 });

@@ -1,7 +1,22 @@
 // The problems of a program: one count, one line per rule and code, filters, and links to the program and to the
 // drawing.
 import { chromiumTest, expect, test, type BasicPage, type Page } from './engines';
-import { between, drawing, editor, open, openFile, problems, selected, status, tooltip, type, value } from './page';
+import {
+  between,
+  copy,
+  drawing,
+  editor,
+  open,
+  openFile,
+  openProblems,
+  problems,
+  problemsButton,
+  selected,
+  status,
+  tooltip,
+  type,
+  value,
+} from './page';
 import { runBeforeWorker } from './worker-script';
 
 /** Sixty-six unknown M codes, with one serious mistake among them, and a warning. */
@@ -17,6 +32,7 @@ const MANY = [
 ].join('\n');
 
 const rows = (page: Page) => problems(page).getByRole('listitem');
+const count = (page: Page) => problems(page).locator('.problems-head .count');
 
 async function settled(page: Page): Promise<void> {
   await page
@@ -24,24 +40,93 @@ async function settled(page: Page): Promise<void> {
     .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
 }
 
-test('the list and the status line show the same count, including collisions', async ({ page }) => {
+test('the list, the button over the program and the status show the same count, including collisions', async ({
+  page,
+}) => {
   await open(page);
   await type(page, '(STOCK D=50 LENGTH=80)\nG99 T0101\nM3 S800\nG00 X60 Z2\nG00 X40 Z-20\nG00 X60\nG00 X100 Z100\nM30');
   await settled(page);
+  await openProblems(page);
   await expect(
     problems(page)
       .getByText(/runs into the work/)
       .first(),
   ).toBeVisible();
-  const count = Number(await problems(page).locator('.problems-toggle .count').textContent());
-  expect(count).toBeGreaterThan(0);
-  await expect(status(page)).toContainText(count === 1 ? '1 problem' : `${count} problems`);
+  const listed = Number(await count(page).textContent());
+  expect(listed).toBeGreaterThan(0);
+  await expect(status(page)).toContainText(listed === 1 ? '1 problem' : `${listed} problems`);
+  const counts = (await problemsButton(page).getAttribute('aria-label'))?.match(/\d+/g) ?? [];
+  expect(counts.reduce((sum, severity) => sum + Number(severity), 0)).toBe(listed);
+});
+
+test('the list opens by itself with a new program that has errors or warnings, never by typing', async ({ page }) => {
+  const faulty = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG6\nG1 Z-20 F0.2\nX44\nM30\n';
+  const noted = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2 M399\nG1 Z-20 F0.2\nX44\nM30\n';
+  await open(page);
+  await expect(problemsButton(page)).toHaveText('✓ no problems');
+  await expect(problemsButton(page)).toBeDisabled();
+  await expect(problems(page)).toBeHidden();
+
+  await test.step('not by typing', async () => {
+    await type(page, faulty);
+    await settled(page);
+    await expect(page.getByRole('button', { name: /^Problems: 1 error/ })).toBeVisible();
+    await expect(problems(page)).toBeHidden();
+    await expect(editor(page)).toBeFocused();
+  });
+
+  await test.step('by opening a file; Close closes it, and typing does not open it again', async () => {
+    await openFile(page, 'faulty.nc', Buffer.from(faulty));
+    await expect(problems(page)).toBeVisible();
+    await expect(problemsButton(page)).toHaveAttribute('aria-expanded', 'true');
+    await problems(page).getByRole('button', { name: 'Close' }).click();
+    await expect(problems(page)).toBeHidden();
+    await expect(problemsButton(page)).toBeFocused();
+    await expect(problemsButton(page)).toHaveAttribute('aria-expanded', 'false');
+    await editor(page).focus();
+    await page.keyboard.press('Control+Home');
+    await page.keyboard.insertText('G6\n');
+    await expect(page.getByRole('button', { name: /^Problems: 2 errors/ })).toBeVisible();
+    await expect(problems(page)).toBeHidden();
+  });
+
+  await test.step('not with a program that has only notes', async () => {
+    await openFile(page, 'noted.nc', Buffer.from(noted));
+    await expect(page.getByRole('button', { name: /^Problems: 1 note$/ })).toBeVisible();
+    await settled(page);
+    await expect(problems(page)).toBeHidden();
+  });
+
+  await test.step('by pasting a program', async () => {
+    await copy(page, faulty);
+    await editor(page).focus();
+    await page.keyboard.press('Control+A');
+    await page.keyboard.press('Control+V');
+    await expect(problems(page)).toBeVisible();
+    await expect(editor(page)).toBeFocused();
+  });
+});
+
+test('the list opens by itself if the part of the new program takes longer than its path', async ({ page }) => {
+  const passes = Array.from({ length: 600 }, (_, at) => `X${(99.9 - 0.1 * at).toFixed(2)} Z-${80 - (at % 40)}`);
+  const begin = '(STOCK D=100 LENGTH=120)\nT0101\nG99 M03 S900\nG00 X102 Z2\nG90 F0.25';
+  const long = `${begin} ${passes.join('\n')}\nG6\nG00 X150 Z50\nM30\n`;
+  await open(page);
+  await openFile(page, 'long.nc', Buffer.from(long));
+  await expect(problems(page)).toBeVisible();
+  await problemsButton(page).click();
+  await expect(problems(page)).toBeHidden();
+  await settled(page);
+  await type(page, 'G0 X50 Z-\nM30');
+  await settled(page);
+  await expect(problems(page)).toBeHidden();
 });
 
 test('problems of one rule with one code share one line with their line numbers', async ({ page }) => {
   await open(page);
   await type(page, MANY);
-  await expect(problems(page).locator('.problems-toggle .count')).toHaveText(/6[67]|68/);
+  await openProblems(page);
+  await expect(count(page)).toHaveText(/6[67]|68/);
   const group = rows(page).filter({ hasText: 'M300' });
   await expect(group).toContainText('66 times');
   expect(await rows(page).count()).toBeLessThan(5);
@@ -79,13 +164,14 @@ test('problems of one rule with one code share one line with their line numbers'
 test('problems are filtered by severity and rule, and the count does not change', async ({ page }) => {
   await open(page);
   await type(page, MANY);
+  await openProblems(page);
   await expect(rows(page).filter({ hasText: 'M300' })).toHaveCount(1);
-  const all = await problems(page).locator('.problems-toggle .count').textContent();
+  const all = await count(page).textContent();
   const notes = problems(page).getByRole('button', { name: /notes$/ });
   await notes.click();
   await expect(notes).toHaveAttribute('aria-pressed', 'false');
   await expect(rows(page).filter({ hasText: 'M300' })).toHaveCount(0);
-  await expect(problems(page).locator('.problems-toggle .count')).toHaveText(new RegExp(`^\\d of ${all}$`));
+  await expect(count(page)).toHaveText(new RegExp(`^\\d of ${all}$`));
   await expect(status(page)).toContainText(`${all} problems`);
   await notes.click();
   await problems(page).getByLabel('Rule', { exact: true }).selectOption('unknown-m-code');
@@ -101,6 +187,7 @@ test('problems are filtered by severity and rule, and the count does not change'
 test('a rule can be hidden everywhere in one step, and shown again', async ({ page }) => {
   await open(page);
   await type(page, MANY);
+  await openProblems(page);
   await problems(page).getByRole('button', { name: 'Hide this rule here: unknown-m-code' }).click();
   await expect(rows(page).filter({ hasText: 'M300' })).toHaveCount(0);
   await expect(status(page)).toContainText(/\b[12] problems?/);
@@ -165,6 +252,8 @@ test('a selected problem highlights its stroke', async ({ page }) => {
   await open(page);
   await type(page, 'G99 T0101\nM3 S800\nG00 X50 Z2\nG01 Z-20 F0.2 M399\nX60\nG00 X100 Z100\nM30');
   await settled(page);
+  await openProblems(page);
+  await editor(page).focus();
   await page.keyboard.press('Control+Home');
   await settled(page);
   const place = await between(page, { x: 50, z: 2 }, { x: 50, z: -20 });
@@ -228,11 +317,7 @@ test('while a word of a contour is typed, the previous picture stays, labelled a
   await settled(page);
   await expect(old).toBeVisible();
   await expect(status(page)).not.toContainText(`${motions} motions`);
-  await expect(
-    rows(page)
-      .first()
-      .getByRole('button', { name: /^Error: / }),
-  ).toBeVisible();
+  await expect(page.getByRole('button', { name: /^Problems: \d+ errors?\b/ })).toBeVisible();
   expect(await drawing(page).getAttribute('aria-label')).toContain(`${motions} motions`);
 
   await test.step('the pointer finds no motions of the new run there', async () => {
@@ -300,6 +385,7 @@ chromiumTest('leaving the block during its run shows the current path of the pro
   await page.keyboard.press('ArrowDown');
   await settled(page);
   await expect(page.getByText(/^Old picture \(run \d+\)/)).toBeHidden();
+  await openProblems(page);
   await expect(
     rows(page)
       .first()

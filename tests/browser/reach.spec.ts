@@ -1,17 +1,47 @@
 // Access to the page: by keyboard alone, in three languages. Phones and dark mode are in phone.spec.ts. The screenshots
 // in test-results are for manual review, not goldens.
 import { expect, test } from './engines';
-import { drawing, editor, examples, open, status, type } from './page';
+import { choose, drawing, editor, open, openProblems, problems, status, title, type, titleText } from './page';
 
-test('gallery, editor, problems, playback, help and drawing are usable by keyboard alone', async ({ page }) => {
+test('menus, gallery, editor, problems, playback, help and drawing are usable by keyboard alone', async ({ page }) => {
   await open(page);
-  await page.getByLabel('Example').focus();
-  // The list is loaded after the first picture.
-  await expect(page.locator('#example option')).toHaveCount(examples.length);
-  await page.keyboard.press('ArrowUp');
-  await expect(page.getByLabel('Example')).not.toHaveValue('s000-o0002');
-  await page.keyboard.press('ArrowDown');
+  const first = await titleText(page).textContent();
+  /** Opens a program of the gallery by a term that only it contains. */
+  const openByKeyboard = async (term: string): Promise<void> => {
+    await title(page).focus();
+    await page.keyboard.press('Enter');
+    await expect(page.getByRole('menuitem').first()).toBeFocused();
+    // The first letter of "Gallery…".
+    await page.keyboard.press('g');
+    await expect(page.getByRole('menuitem', { name: 'Gallery…' })).toBeFocused();
+    await page.keyboard.press('Enter');
+    const gallery = page.getByRole('dialog', { name: 'Gallery' });
+    await expect(gallery.getByRole('searchbox')).toBeFocused();
+    await page.keyboard.type(term);
+    await expect(gallery.getByRole('button')).toHaveCount(2);
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Enter');
+    await expect(gallery).toBeHidden();
+  };
+  await openByKeyboard('s001-o6003');
+  await expect(titleText(page)).toHaveText('Sleeve with an outer and an inner cone');
+  await openByKeyboard('s000-o0002');
+  await expect(titleText(page)).toHaveText(first ?? '');
   await expect(status(page)).toContainText(/^42 motions/);
+
+  await test.step('arrows and first letters move in a menu, and Escape returns to its button', async () => {
+    const more = page.getByRole('button', { name: 'More', exact: true });
+    await more.focus();
+    await page.keyboard.press('ArrowDown');
+    await expect(page.getByRole('menuitemradio', { name: 'English' })).toBeFocused();
+    await page.keyboard.press('ArrowDown');
+    await expect(page.getByRole('menuitemradio', { name: '中文' })).toBeFocused();
+    await page.keyboard.press('m');
+    await expect(page.getByRole('menuitem', { name: 'Motions', exact: true })).toBeFocused();
+    await page.keyboard.press('Escape');
+    await expect(more).toBeFocused();
+    await expect(more).toHaveAttribute('aria-expanded', 'false');
+  });
 
   await editor(page).focus();
   await page.keyboard.press('Control+End');
@@ -32,7 +62,8 @@ test('gallery, editor, problems, playback, help and drawing are usable by keyboa
   // Tab leaves the editor, and reaches the drawing later.
   await page.keyboard.press('Tab');
   await expect(editor(page)).not.toBeFocused();
-  for (let i = 0; i < 8 && !(await drawing(page).evaluate((canvas) => canvas.matches(':focus'))); i++) {
+  // At the cursor, outline, divider, the row over the drawing, the assumed blank, and a hint.
+  for (let i = 0; i < 13 && !(await drawing(page).evaluate((canvas) => canvas.matches(':focus'))); i++) {
     await page.keyboard.press('Tab');
   }
   await expect(drawing(page)).toBeFocused();
@@ -48,21 +79,19 @@ test('in Chinese and Russian the page and its messages change, and the program d
   await open(page);
   await type(page, 'G0 X50 Z2\nX\nM30');
   await expect(status(page)).toHaveText(/1 motion · \d lines · 1 problem/);
-  const message = page
-    .getByRole('region', { name: /^(Problems|问题|Замечания)$/ })
-    .getByRole('listitem')
-    .first();
+  await openProblems(page);
+  const message = problems(page).getByRole('listitem').first();
   const english = await message.textContent();
 
-  await page.getByLabel('Language').selectOption('zh');
+  await choose(page, 'more', '中文');
   await expect(status(page)).toHaveText(/1 段运动 · \d 行 · 1 个问题/);
-  await expect(page.getByRole('button', { name: '播放' })).toBeVisible();
+  await expect(page.getByRole('button', { name: '播放', exact: true })).toBeVisible();
   expect(await message.textContent()).not.toBe(english);
   await page.screenshot({ path: info.outputPath('zh.png') });
 
-  await page.getByLabel('语言').selectOption('ru');
+  await choose(page, 'more', 'Русский');
   await expect(status(page)).toHaveText(/1 перемещение · \d строки? · 1 замечание/);
-  await expect(page.getByRole('button', { name: 'Пуск' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Пуск', exact: true })).toBeVisible();
   await expect(editor(page)).toContainText('G0 X50 Z2');
   await page.screenshot({ path: info.outputPath('ru.png') });
 

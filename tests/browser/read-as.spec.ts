@@ -1,56 +1,75 @@
-// One line always shows how the program was read, and each value that depends on a setting links to its field. A
-// message about a setting has a button that sets it.
+// A chip always shows how the program was read. In its popover each value that depends on a setting links to its field.
+// A message about a setting has a button that sets it.
 import { expect, test, type Locator, type Page } from './engines';
-import { editor, open, openFile, problems, value } from './page';
+import { settled } from './embedded';
+import { chip, choose, editor, open, openFile, openProblems, problems, value } from './page';
 
-const line = (page: Page): Locator => page.getByRole('group', { name: 'How the program was read' });
+/** The popover of the chip. */
+const reading = (page: Page): Locator => page.getByRole('dialog', { name: 'How the program was read' });
 const form = (page: Page): Locator => page.getByRole('dialog', { name: 'Setup' });
 const setup = async (page: Page): Promise<unknown> =>
   JSON.parse((await page.locator('gcode-playground').getAttribute('setup')) ?? '{}');
 
-const own = (page: Page, text: string): Promise<void> => openFile(page, 'own.nc', Buffer.from(text));
+/** Opens a text as a file, and waits for its run. */
+async function own(page: Page, text: string): Promise<void> {
+  await openFile(page, 'own.nc', Buffer.from(text));
+  await expect.poll(() => value(page)).toBe(text);
+  await settled(page);
+}
 
-test('the line shows control, system, unit, point, feed, block skip and program, and marks recognised and set values', async ({
+test('chip and popover show control, system, unit, point, feed, block skip and program, and marks recognised and set values', async ({
   page,
 }) => {
   await open(page);
-  await expect(line(page)).toContainText(
+  await expect(chip(page)).toHaveText('GSK 980TD · mm · no point = mm · mm/min · block skip off · O0002');
+  await chip(page).click();
+  await expect(reading(page)).toContainText(
     'Read as GSK 980TD (set), mm, no point = mm, mm/min (set), block skip off, O0002',
   );
   await own(page, 'O0007\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nM30\n');
-  await expect(line(page)).toContainText('Read as FANUC, system A, mm, no point = mm, mm/rev, block skip off, O0007');
+  await expect(reading(page)).toContainText(
+    'Read as FANUC, system A, mm, no point = mm, mm/rev, block skip off, O0007',
+  );
+  await expect(chip(page)).toHaveText('FANUC · system A · mm · no point = mm · mm/rev · block skip off · O0007');
   await own(page, 'O0001\nG20 G99 T0101\nG97 S800 M3\nG0 X2. Z.1\nG1 X1. F.016\nZ-1.\nX2.\nG0 W2000\nM30\n');
-  await expect(line(page)).toContainText('inch, no point = 0.0001 in (recognised), in/rev');
+  await expect(reading(page)).toContainText('inch, no point = 0.0001 in (recognised), in/rev');
   await own(
     page,
     'O0001\nG21 G95 G90\nG92 S2000\nT0101\nG96 S120 M3\nG0 X50 Z2\nG77 X40 Z-20 F0.2\nG0 X100 Z100\nM30\n',
   );
-  await expect(line(page)).toContainText('FANUC, system B (recognised)');
+  await expect(reading(page)).toContainText('FANUC, system B (recognised)');
+  await expect(chip(page)).toContainText('FANUC · system B');
 
   await test.step('in Chinese and Russian', async () => {
-    await page.getByLabel('Language').selectOption('zh');
-    await expect(page.getByRole('group', { name: '程序的读法' })).toContainText('体系 B（识别）');
-    await page.getByLabel('语言').selectOption('ru');
-    await expect(page.getByRole('group', { name: 'Как прочитана программа' })).toContainText('система B (распознано)');
+    await choose(page, 'more', '中文');
+    await chip(page).click();
+    await expect(page.getByRole('dialog', { name: '程序的读法' })).toContainText('体系 B（识别）');
+    await choose(page, 'more', 'Русский');
+    await chip(page).click();
+    await expect(page.getByRole('dialog', { name: 'Как прочитана программа' })).toContainText('система B (распознано)');
   });
 });
 
 test('each value that depends on a setting links to its field', async ({ page }) => {
   await open(page);
   await own(page, 'O0007\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nM30\n');
-  await line(page).getByRole('button', { name: 'system A' }).click();
+  await chip(page).click();
+  await reading(page).getByRole('button', { name: 'system A' }).click();
   await expect(form(page).getByLabel('G-code system')).toBeFocused();
   await form(page).getByRole('button', { name: 'Close' }).click();
-  await line(page).getByRole('button', { name: 'change how the program is read' }).focus();
+  await expect(chip(page)).toBeFocused();
+  await page.keyboard.press('Enter');
+  await reading(page).getByRole('button', { name: 'Change…' }).focus();
   await page.keyboard.press('Enter');
   const control = form(page).getByLabel('Control', { exact: true });
   await expect(control).toBeFocused();
   await control.selectOption('gsk');
   await form(page).getByLabel('Feed mode at the start').selectOption('G98');
   await form(page).getByRole('button', { name: 'Apply' }).click();
-  await expect(line(page)).toContainText('Read as GSK 980TD (set), mm, no point = mm, mm/min');
+  await expect(chip(page)).toContainText('GSK 980TD · mm · no point = mm · mm/min');
+  await chip(page).click();
+  await expect(reading(page)).toContainText('Read as GSK 980TD (set), mm, no point = mm, mm/min');
   expect(await setup(page)).toEqual({ dialect: { control: 'gsk', feedMode: 'G98' } });
-  await expect(page.locator('header').getByLabel('Control')).toHaveValue('gsk');
 });
 
 test('a message about a setting has a button that sets it', async ({ page }) => {
@@ -58,13 +77,15 @@ test('a message about a setting has a button that sets it', async ({ page }) => 
   const milling =
     'O0001\nG90 G54 G17\nT1 M6\nG43 H1 Z50.\nS1200 M3\nG0 X10. Y20.\nG1 Z-2. F200\nX40. Y35.\nG0 Z50.\nM30\n';
   await own(page, milling);
-  await expect(line(page)).toContainText('not run');
+  await expect(chip(page)).toContainText('not run');
+  await openProblems(page);
   await problems(page).getByRole('button', { name: 'Recognise programs for other controls' }).click();
-  await expect(line(page)).toContainText('Read as FANUC');
+  await expect(chip(page)).toHaveText(/^FANUC/);
   expect(await setup(page)).toEqual({ dialect: { recognise: false } });
 
   await test.step('a value that only the user knows is entered in the form', async () => {
     await own(page, 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nG53 X0 Z0\nM30\n');
+    await openProblems(page);
     await problems(page).getByRole('button', { name: 'enter Reference point X' }).first().click();
     await expect(form(page).getByLabel('Reference point X (diameter)')).toBeFocused();
     await form(page).getByLabel('Reference point X (diameter)').fill('250');
@@ -76,6 +97,7 @@ test('a message about a setting has a button that sets it', async ({ page }) => 
     const text =
       '(STOCK D=50 LENGTH=60)\nO0001\nT0101\nG97 S300 M3\nG0 X52 Z-10\nG75 R1\nG75 X40 Z-20 P3 Q3 F0.1\nG0 X100 Z100\nM30\n';
     await own(page, text);
+    await openProblems(page);
     await problems(page)
       .getByRole('button', { name: /set P and Q of G74 to G76 to in mm/ })
       .first()

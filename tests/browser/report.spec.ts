@@ -1,8 +1,8 @@
-// "My machine behaves differently": the report as a text, and as a folder for tests/programs.
+// The report of a difference to the user's machine as a text, and as a folder for tests/programs.
 import { readFileSync } from 'node:fs';
 import { unzipSync, strFromU8 } from 'fflate';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
-import { open, type } from './page';
+import { choose, open, type } from './page';
 
 const PROGRAM =
   'O0042\n(STOCK D=60 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X62 Z2\nG90 X50 Z-20 F0.2\nX40\nG00 X100 Z100\nM30\n';
@@ -16,8 +16,8 @@ const DRAWN = [
 
 const WORDS = {
   en: {
-    more: 'More',
-    open: 'My machine behaves differently…',
+    language: 'English',
+    open: 'Report a difference to my machine…',
     machine: 'Machine and control',
     did: 'What the machine did',
     line: 'Line of the block',
@@ -25,8 +25,8 @@ const WORDS = {
     save: 'Save as a folder for tests',
   },
   zh: {
-    more: '更多',
-    open: '我的机床动作不同…',
+    language: '中文',
+    open: '报告与我的机床不同之处…',
     machine: '机床与数控系统',
     did: '机床的实际动作',
     line: '程序段所在行',
@@ -34,8 +34,8 @@ const WORDS = {
     save: '保存为测试文件夹',
   },
   ru: {
-    more: 'Ещё',
-    open: 'Мой станок работает иначе…',
+    language: 'Русский',
+    open: 'Сообщить об отличии от моего станка…',
     machine: 'Станок и система ЧПУ',
     did: 'Что сделал станок',
     line: 'Строка кадра',
@@ -45,8 +45,7 @@ const WORDS = {
 } as const;
 
 async function openReport(page: ChromiumPage, language: keyof typeof WORDS): Promise<void> {
-  await page.getByRole('button', { name: WORDS[language].more }).click();
-  await page.getByRole('button', { name: WORDS[language].open }).click();
+  await choose(page, 'more', WORDS[language].open);
 }
 
 for (const language of ['en', 'zh', 'ru'] as const) {
@@ -58,7 +57,7 @@ for (const language of ['en', 'zh', 'ru'] as const) {
     const words = WORDS[language];
     await open(page);
     await type(page, PROGRAM);
-    await page.locator('#language').selectOption(language);
+    await choose(page, 'more', words.language);
     await openReport(page, language);
     const dialog = page.getByRole('dialog');
     await dialog.getByLabel(words.machine).fill('GSK 980TDb');

@@ -1,7 +1,7 @@
-// Space of the drawing in windows of all sizes: on phones, with an on-screen keyboard, at 200 %. Playwright emulates
+// Space of drawing and program in windows of all sizes: on phones, with an on-screen keyboard, at 200 %. Playwright emulates
 // small windows and touch. The screenshots in test-results are for manual review, not goldens.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
-import { drawing, editor, open, problems, status, tab, type } from './page';
+import { chip, drawing, editor, open, problems, problemsButton, tab, title, type } from './page';
 
 /** Size of a window, CSS pixels. At 200 % a window has half as many, each twice as large. */
 interface Window {
@@ -10,12 +10,21 @@ interface Window {
   readonly height: number;
   readonly by: 'finger' | 'mouse';
   readonly ratio: 1 | 2;
+  /** Least heights while the program is typed; by default that of the drawing at any time, and 100. */
+  readonly whileTyping?: { readonly drawing: number; readonly program: number };
 }
 
 const WINDOWS: readonly Window[] = [
   { name: 'phone', width: 390, height: 844, by: 'finger', ratio: 2 },
   // The area above an on-screen keyboard.
-  { name: 'phone with its keyboard', width: 390, height: 450, by: 'finger', ratio: 2 },
+  {
+    name: 'phone with its keyboard',
+    width: 390,
+    height: 450,
+    by: 'finger',
+    ratio: 2,
+    whileTyping: { drawing: 150, program: 200 },
+  },
   { name: 'phone on its side', width: 844, height: 390, by: 'finger', ratio: 2 },
   { name: 'small phone', width: 320, height: 640, by: 'finger', ratio: 2 },
   { name: 'tablet', width: 820, height: 1180, by: 'finger', ratio: 2 },
@@ -25,7 +34,7 @@ const WINDOWS: readonly Window[] = [
   { name: '1920 at 200 %', width: 960, height: 540, by: 'mouse', ratio: 2 },
 ];
 
-for (const { name, width, height, by, ratio } of WINDOWS) {
+for (const { name, width, height, by, ratio, whileTyping } of WINDOWS) {
   for (const locale of ['en', 'zh', 'ru'] as const) {
     test(
       `the drawing has at least 240 pixels or half of the window: ${name}, ${locale}`,
@@ -44,7 +53,7 @@ for (const { name, width, height, by, ratio } of WINDOWS) {
         await open(page);
         const least = Math.min(240, height / 2);
         const measured: string[] = [];
-        const measure = async (when: string): Promise<void> => {
+        const measure = async (when: string, leastNow = least): Promise<void> => {
           // During playback the layout never settles.
           if (when !== 'playing')
             await page
@@ -52,40 +61,46 @@ for (const { name, width, height, by, ratio } of WINDOWS) {
               .evaluate(async (element) => (element as unknown as { settled: Promise<number> }).settled);
           const box = await drawing(page).boundingBox();
           measured.push(`${when}: ${Math.round(box?.width ?? 0)} × ${Math.round(box?.height ?? 0)}`);
-          expect(box?.height, when).toBeGreaterThanOrEqual(least);
+          expect(box?.height, when).toBeGreaterThanOrEqual(leastNow);
           expect(box?.y, when).toBeGreaterThanOrEqual(0);
           expect((box?.y ?? 0) + (box?.height ?? 0), when).toBeLessThanOrEqual(height);
           expect(await page.evaluate(() => document.documentElement.scrollWidth), when).toBeLessThanOrEqual(width);
           await page.screenshot({ path: info.outputPath(`${when}.png`) });
         };
         await measure('first');
-        // The menu of examples is wide enough to be readable.
-        expect((await page.locator('#example').boundingBox())?.width).toBeGreaterThanOrEqual(120);
+        // The title of the program is wide enough to be readable.
+        expect((await title(page).boundingBox())?.width).toBeGreaterThanOrEqual(120);
 
         await type(page, 'O1\nG50 S2000\nT0101\nG96 S150 M3\nG0 X52 Z2\nG90 X48 Z-30 F0.2\nX44\nX\nG0 X200 Z200\nM30');
-        await expect(problems(page).or(tab(page, 'problems')).first()).toBeVisible();
-        await measure('writing');
+        await measure('writing', whileTyping?.drawing);
         const box = await editor(page).boundingBox();
         expect(
           Math.min(height, (box?.y ?? 0) + (box?.height ?? 0)) - (box?.y ?? 0),
           'lines to write in',
-        ).toBeGreaterThanOrEqual(100);
+        ).toBeGreaterThanOrEqual(whileTyping?.program ?? 100);
 
+        // While the user types on a phone, only the drawing and the text are shown.
+        await drawing(page).focus();
+        await expect(problemsButton(page).or(tab(page, 'problems')).first()).toBeVisible();
         if ((await page.getByRole('tabpanel').count()) > 0) {
-          for (const which of ['drawing', 'problems', 'state', 'program'] as const) {
+          for (const which of ['problems', 'explain', 'program'] as const) {
             await tab(page, which).click();
             await expect(tab(page, which)).toHaveAttribute('aria-selected', 'true');
+            if (which === 'problems') await expect(problems(page)).toBeVisible();
+            if (which === 'explain') await expect(chip(page)).toBeVisible();
+            if (which === 'program') await expect(editor(page)).toBeVisible();
             await measure(which);
           }
-          await tab(page, 'state').click();
-          await expect(status(page)).toBeVisible();
-          await tab(page, 'drawing').click();
         } else {
-          for (const part of [editor(page), problems(page), status(page)]) await expect(part).toBeInViewport();
+          for (const part of [editor(page), problemsButton(page), chip(page)]) await expect(part).toBeInViewport();
+          await problemsButton(page).click();
+          await expect(problems(page)).toBeInViewport();
+          await measure('problems');
+          await expect(editor(page)).toBeInViewport();
         }
         await page.getByRole('button', { name: /^(Play|播放|Пуск)$/ }).click();
-        // The readout during playback takes space, too.
-        await expect(page.locator('.readout')).not.toHaveClass(/idle/);
+        // The readout during playback is over the drawing.
+        await expect(page.locator('[part~=readout]')).toBeVisible();
         await measure('playing');
         info.annotations.push({ type: 'canvas', description: measured.join(', ') });
         await context.close();

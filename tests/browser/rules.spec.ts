@@ -1,6 +1,6 @@
 // The pages of the rules: from a message to its page, in each language, and back with the program.
 import { expect, test, type Page } from './engines';
-import { editor, open, problems, type, value } from './page';
+import { chip, choose, editor, open, openMenu, openProblems, problems, problemsButton, type, value } from './page';
 
 const FAULTY = 'O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X52 Z M08\nG00 X200 Z200 M09\nM30';
 
@@ -11,16 +11,17 @@ async function follow(page: Page, click: () => Promise<void>): Promise<Page> {
   return opened;
 }
 
-for (const [language, more, heading, failing] of [
-  ['en', 'More', 'Repair', 'Failing'],
-  ['zh', '详情', '如何改正', '有误的程序'],
-  ['ru', 'Подробнее', 'Как исправить', 'С ошибкой'],
+for (const [language, name, more, heading, failing] of [
+  ['en', 'English', 'More', 'Repair', 'Failing'],
+  ['zh', '中文', '详情', '如何改正', '有误的程序'],
+  ['ru', 'Русский', 'Подробнее', 'Как исправить', 'С ошибкой'],
 ] as const) {
   test(`a message leads to the page of its rule: ${language}`, async ({ page }) => {
     await open(page);
-    await page.locator('#language').selectOption(language);
+    await choose(page, 'more', name);
     await type(page, FAULTY);
-    const link = page.getByRole('region', { name: /Problems|问题|Замечания/ }).getByRole('link', { name: more });
+    await openProblems(page);
+    const link = problems(page).getByRole('link', { name: more });
     // Until the text is typed, the link belongs to the empty program.
     await expect(link).toHaveAttribute('href', /number-missing/);
     await expect(link).toHaveCount(1);
@@ -61,7 +62,10 @@ test('both programs open in the playground, in the language of the page', async 
     await expect(editor(page)).toBeVisible();
     expect(await value(page)).toBe(listing?.trimEnd());
     if (which === 0) await expect(found).toContainText('PS0005');
-    else await expect(found).toBeHidden();
+    else {
+      await expect(problemsButton(page)).toHaveText('✓ замечаний нет');
+      await expect(found).toBeHidden();
+    }
   }
 });
 
@@ -70,7 +74,7 @@ test('a changed program of a URL is stored, and restored', async ({ page }) => {
     page,
     `#program=${encodeURIComponent('O0001\nG00 X20 Z2\nM30')}&setup=${encodeURIComponent('{"dialect": {"control": "gsk"}}')}`,
   );
-  await expect(page.getByLabel('Control')).toHaveValue('gsk');
+  await expect(chip(page)).toContainText('GSK 980TD');
   expect(await value(page)).toBe('O0001\nG00 X20 Z2\nM30');
   await editor(page).focus();
   await page.keyboard.press('Control+End');
@@ -78,7 +82,7 @@ test('a changed program of a URL is stored, and restored', async ({ page }) => {
   await expect(page).toHaveURL(/\/$/);
   await page.reload();
   await expect(editor(page)).toContainText('O0002');
-  await expect(page.getByLabel('Control')).toHaveValue('gsk');
+  await expect(chip(page)).toContainText('GSK 980TD');
 });
 
 test('an invalid setup in a URL is reported, and is not fatal', async ({ page }) => {
@@ -95,8 +99,8 @@ test('an invalid setup in a URL is reported, and is not fatal', async ({ page })
 
 test('the list of all rules links to each of them', async ({ page }) => {
   await open(page);
-  await page.getByRole('button', { name: 'Help (?)' }).click();
-  const list = await follow(page, () => page.getByRole('link', { name: 'All rules' }).click());
+  await openMenu(page, 'help');
+  const list = await follow(page, () => page.getByRole('menuitem', { name: 'All rules' }).click());
   const links = list.getByRole('table').getByRole('link');
   expect(await links.count()).toBeGreaterThan(2);
   for (const href of await links.evaluateAll((all) => all.map((link) => (link as HTMLAnchorElement).href))) {
@@ -112,6 +116,7 @@ test('the list of all rules links to each of them', async ({ page }) => {
 test('the link of a problem is beside it, and its repair below', async ({ page }) => {
   await open(page);
   await type(page, 'GO1 X5\nM30');
+  await openProblems(page);
   const item = problems(page).getByRole('listitem').first();
   await expect(item.getByRole('button')).toHaveCount(2);
   await expect(async () => {

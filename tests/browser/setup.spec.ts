@@ -1,17 +1,30 @@
 // The setup form: assumed values are marked, invalid values are reported at their fields, and the setup is stored where
 // the user chooses. Invalid setups in any place are reported and still give a picture.
 import { expect, test, type Locator, type Page } from './engines';
-import { editor, open, openFile, problems, status, value } from './page';
+import {
+  chip,
+  chooseControl,
+  editor,
+  open,
+  openFile,
+  openProblems,
+  openReading,
+  problems,
+  reading,
+  status,
+  value,
+} from './page';
 
 const PROGRAM = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n';
 
+const setupButton = (page: Page): Locator => page.getByRole('button', { name: /^Setup/ });
 const form = (page: Page): Locator => page.getByRole('dialog', { name: 'Setup' });
 const field = (page: Page, group: string, name: string): Locator =>
   form(page).getByRole('region', { name: group }).getByLabel(name, { exact: true });
 const attribute = (page: Page): Promise<string | null> => page.locator('gcode-playground').getAttribute('setup');
 
 async function openForm(page: Page): Promise<void> {
-  await page.getByRole('button', { name: 'Setup', exact: true }).click();
+  await setupButton(page).click();
   await expect(form(page)).toBeVisible();
 }
 
@@ -32,7 +45,7 @@ test('unset values are shown as assumed, and can be set by keyboard', async ({ p
   await begin(page);
   await expect(page.getByText('Tools assumed')).toBeVisible();
   await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
-  await page.getByRole('button', { name: 'Setup', exact: true }).focus();
+  await setupButton(page).focus();
   await page.keyboard.press('Enter');
   await expect(field(page, 'Stock', 'Diameter')).toBeFocused();
   await expect(field(page, 'Stock', 'Diameter')).toHaveAttribute('placeholder', '44 (assumed)');
@@ -63,15 +76,19 @@ test('an assumed stock can be accepted, and collisions are checked', async ({ pa
   const assumedNotice = page.getByText('Stock assumed: collisions not checked');
   const use = page.getByRole('button', { name: 'use this stock' });
   await expect(assumedNotice).toBeVisible();
-  await expect(problems(page).getByText(/rapid/i)).toHaveCount(0);
+  // Also in the closed list.
+  const inList = page.getByRole('region', { name: 'Problems', exact: true, includeHidden: true });
+  await expect(inList.getByText(/rapid/i)).toHaveCount(0);
   await use.focus();
   await page.keyboard.press('Enter');
   await expect(assumedNotice).toBeHidden();
-  await expect(problems(page).getByText(/rapid/i)).not.toHaveCount(0);
-  await expect(page.getByRole('button', { name: 'Setup', exact: true })).toBeFocused();
+  await expect(inList.getByText(/rapid/i)).not.toHaveCount(0);
+  await expect(setupButton(page)).toBeFocused();
   await expect(page.getByText('The setup is kept on this page')).toBeVisible();
   expect(JSON.parse((await attribute(page)) ?? '')).toEqual({ stock: { diameter: 44, length: 25 } });
   expect(await value(page)).toBe(crash);
+  await openProblems(page);
+  await expect(problems(page).getByRole('listitem').filter({ hasText: /rapid/i }).first()).toBeVisible();
 
   await test.step('a setup in the program is changed in the program', async () => {
     await openFile(page, 'other.nc', Buffer.from(`(MACHINE RAPIDX=8000)\n${PROGRAM}`));
@@ -202,18 +219,26 @@ test('invalid values are reported at their fields', async ({ page }) => {
   await expectPart(page);
 });
 
-for (const [what, setup, message] of [
-  ['negative stock', '{"stock": {"diameter": -60, "length": 80}}', /stock.diameter.* is -60/],
-  ['a bore larger than the stock', '{"stock": {"diameter": 60, "length": 80, "bore": 70}}', /stock.bore.* is 70/],
-  ['NaN', '{"stock": {"diameter": NaN, "length": 80}}', /The setup was not accepted/],
-  ['garbage', 'garbage', /The setup was not accepted/],
-  ['a tool that is missing', '{"tools": {"T0202": {"type": "turning"}}}', /T0101/],
+for (const [what, setup, message, where] of [
+  ['negative stock', '{"stock": {"diameter": -60, "length": 80}}', /stock.diameter.* is -60/, 'problems'],
+  [
+    'a bore larger than the stock',
+    '{"stock": {"diameter": 60, "length": 80, "bore": 70}}',
+    /stock.bore.* is 70/,
+    'problems',
+  ],
+  ['NaN', '{"stock": {"diameter": NaN, "length": 80}}', /The setup was not accepted/, 'alert'],
+  ['garbage', 'garbage', /The setup was not accepted/, 'alert'],
+  ['a tool that is missing', '{"tools": {"T0202": {"type": "turning"}}}', /T0101/, 'problems'],
 ] as const) {
   test(`an invalid setup in the attribute is reported: ${what}`, async ({ page }) => {
     await begin(page);
     await page.locator('gcode-playground').evaluate((element, json) => element.setAttribute('setup', json), setup);
-    const rejected = page.getByRole('alert').filter({ hasText: message });
-    await expect(rejected.or(problems(page).getByText(message)).first()).toBeVisible();
+    if (where === 'alert') await expect(page.getByRole('alert').filter({ hasText: message })).toBeVisible();
+    else {
+      await openProblems(page);
+      await expect(problems(page).getByText(message).first()).toBeVisible();
+    }
     await expectPart(page);
     await openForm(page);
   });
@@ -253,14 +278,17 @@ test('an opened file, and a cleared editor, start without the setup of the examp
     await expect.poll(() => attribute(page)).toBe(before);
   });
   await test.step('the control changes with the program, too', async () => {
-    await page.getByRole('combobox', { name: 'Control' }).selectOption('gsk');
+    await chooseControl(page, 'gsk');
+    await expect(chip(page)).toContainText('GSK 980TD');
+    const chosen = await attribute(page);
     await openFile(page, 'own.nc', Buffer.from(PROGRAM));
     await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
-    await expect(page.getByRole('combobox', { name: 'Control' })).toHaveValue('fanuc');
+    await expect(chip(page)).toContainText('FANUC');
     await editor(page).focus();
     await page.keyboard.press('Control+z');
-    await expect(page.getByRole('combobox', { name: 'Control' })).toHaveValue('gsk');
-    await expect(page.locator('gcode-playground')).toHaveAttribute('control', 'gsk');
+    await expect(chip(page)).toContainText('GSK 980TD');
+    expect(chosen).toContain('gsk');
+    expect(await attribute(page)).toBe(chosen);
   });
 });
 
@@ -293,11 +321,14 @@ test('computing the part of a long program shows progress, and can be stopped', 
   );
   await openFile(page, 'long.nc', Buffer.from(`T0101 S800 M3\nG0 X62 Z2\n${passes.join('\n')}\nM30\n`));
   expect(await progressText).toContain('Part');
+  await openProblems(page);
   await expect(problems(page).getByText(/The material removal was stopped after \d+ of 15001 motions/)).toBeVisible();
   await expect(page.getByRole('button', { name: 'Stop', exact: true })).toBeHidden();
 });
 
-test('the status line shows how numbers without a point are read, and the reading can be changed', async ({ page }) => {
+test('the chip and the status say how numbers without a point are read, and the reading can be changed', async ({
+  page,
+}) => {
   const inches = 'O0001\nG20 G99 T0101\nG97 S800 M3\nG0 X2. Z.1\nG1 X1. F.016\nZ-1.\nX2.\nG0 W2000\nM30\n';
   await open(page);
   await openFile(page, 'inch.nc', Buffer.from(inches.replace('W2000', 'W.2')));
@@ -305,13 +336,16 @@ test('the status line shows how numbers without a point are read, and the readin
   await expect(status(page)).not.toContainText('No point');
   await openFile(page, 'inch.nc', Buffer.from(inches));
   await expect(status(page)).toContainText('No point = 0.0001 in: W2000 is 0.2 in');
-  await page.getByRole('button', { name: 'Change how numbers without a point are read' }).click();
+  await expect(chip(page)).toContainText('no point = 0.0001 in');
+  await openReading(page);
+  await reading(page).getByRole('button', { name: 'no point = 0.0001 in (recognised)' }).click();
   const choice = form(page).getByLabel('Number without a point');
   await expect(choice).toBeFocused();
   await choice.selectOption('calculator');
   await form(page).getByRole('button', { name: 'Apply' }).click();
   await expect(form(page)).toBeHidden();
   await expect(status(page)).toContainText('W2000 is read as 2000 in');
+  await expect(chip(page)).toContainText('no point = in');
 });
 
 test('the reading of numbers is detected for an opened file, not for typed text', async ({ page }) => {

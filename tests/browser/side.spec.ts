@@ -1,7 +1,7 @@
 // The unrolled side of the part in a separate picture: G07.1 milling and live-tool drilling, chosen by keyboard,
 // picking, in each language.
 import { expect, test, type Page } from './engines';
-import { editor, open, tooltip, type } from './page';
+import { chooseLanguage, editor, open, tooltip, type } from './page';
 
 interface Playground extends HTMLElement {
   readonly settled: Promise<number>;
@@ -130,7 +130,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
   test(`holes of live tools are at their C positions: ${locale}`, async ({ page }) => {
     const names = NAMES[locale];
     await open(page, '#s003-g71');
-    await page.locator('#language').selectOption(locale);
+    await chooseLanguage(page, locale);
     await type(page, HOLES);
     await expect(page.getByRole('radio', { name: names.side })).toBeVisible();
     // A position without grid lines.

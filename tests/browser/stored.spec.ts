@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { expect } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
-import { motionCount, value } from './page';
+import { chooseExample, chooseLanguage, motionCount, openMenu, value } from './page';
 import { DIST, nextBuild, storedSite, type StoredSite } from './stored-site';
 
 const AXE = readFileSync(join(DIST, '..', 'node_modules/axe-core/axe.min.js'), 'utf8');
@@ -27,6 +27,9 @@ test.use({
   },
 });
 test.setTimeout(120_000);
+
+/** The title of `s003-g71`. */
+const ROUGH_TURNING = 'Rough turning to a contour: G71 and G70';
 
 const status = (page: ChromiumPage) => page.locator('gcode-playground').getByRole('status');
 const news = (page: ChromiumPage) => page.getByText('There is a newer version of this page.');
@@ -59,13 +62,13 @@ test('two tabs never mix files of two versions', { tag: '@night' }, async ({ pag
   // The first tab continues with its files, and is notified of the update; the server no longer has its files.
   await expect(news(page)).toBeVisible();
   expect(await build(page)).toBe('first');
-  await page.getByLabel('Example').selectOption('s003-g71');
+  await chooseExample(page, ROUGH_TURNING);
   await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
   expect(await value(page)).not.toContain('NEXT');
   await page.getByRole('button', { name: 'Show the part as a solid' }).click();
   await expect(page.getByRole('img', { name: /three dimensions/ })).toBeVisible();
   await page.keyboard.press('Escape');
-  await other.getByLabel('Example').selectOption('s003-g71');
+  await chooseExample(other, ROUGH_TURNING);
   await expect.poll(() => value(other)).toContain('NEXT');
 
   // Both versions are kept while a tab uses them.
@@ -189,7 +192,7 @@ test('the page can be installed, its manifest is in the language of the page, an
     ['zh', 'G 代码演练场'],
     ['ru', 'Песочница G-кода'],
   ] as const) {
-    await page.locator('#language').selectOption(language);
+    await chooseLanguage(page, language);
     const manifest = await page.evaluate(
       async () =>
         (await fetch(document.querySelector<HTMLLinkElement>('link[rel=manifest]')!.href)).json() as Promise<{
@@ -249,8 +252,7 @@ for (const [locale, colorScheme, message, wanted] of [
     const page = (await context.newPage()) as ChromiumPage;
     const site = await storedSite();
     await visit(page, site.address);
-    const settings = page.locator('#settings-toggle');
-    await settings.click();
+    await openMenu(page, 'more');
     await expect(page.getByText(message, { exact: true })).toBeVisible({ timeout: 60_000 });
     site.publish(nextBuild());
     await page.reload();
@@ -258,7 +260,6 @@ for (const [locale, colorScheme, message, wanted] of [
     await expect(reload).toBeVisible({ timeout: 60_000 });
     const box = (await reload.boundingBox())!;
     expect(box.x + box.width).toBeLessThanOrEqual(390);
-    await settings.click();
     await page.evaluate(AXE);
     const wrong = async (): Promise<string[]> =>
       page.evaluate(async () => {
@@ -269,7 +270,13 @@ for (const [locale, colorScheme, message, wanted] of [
         return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id} ${JSON.stringify(target)}`));
       });
     expect(await wrong()).toEqual([]);
+    await openMenu(page, 'more');
+    await expect(page.getByText(message, { exact: true })).toBeVisible();
+    expect(await wrong()).toEqual([]);
+    await page.keyboard.press('Escape');
     await page.setViewportSize({ width: 1280, height: 800 });
+    expect(await wrong()).toEqual([]);
+    await openMenu(page, 'more');
     expect(await wrong()).toEqual([]);
     await context.close();
     await site.stop();

@@ -1,6 +1,6 @@
 // The switches of the operator's panel: they are shown if the text uses them, and are part of the interpreter's setup.
 import { expect, test, type Page } from './engines';
-import { open, openFile, status, type } from './page';
+import { chooseLanguage, chip, open, openFile, openReading, reading, status, type } from './page';
 
 const PROGRAMS =
   'O0001\n/G0 X50 Z2\nN20 /3 G0 X40\n(a/2 b)\nG0 X30 /M8\n#1=#2/4\nM30\nO0007 (second)\n/2 G0 X10\nM30\n';
@@ -31,18 +31,24 @@ test('switches are shown for the block-skip levels and programs of the text, and
 }, info) => {
   const setup = await listen(page);
   await open(page);
+  await openReading(page);
   await expect(page.getByRole('switch')).toHaveCount(0);
   await expect(chosen(page)).toHaveCount(0);
+  await page.keyboard.press('Escape');
   expect(await setup()).not.toHaveProperty('blockSkip');
   expect(await setup()).not.toHaveProperty('program');
 
   await type(page, PROGRAMS);
+  await openReading(page);
   await expect(page.getByRole('switch')).toHaveText(['/', '/2', '/3']);
   await expect(chosen(page).getByRole('option')).toHaveText(['O0001', 'O0007']);
   await expect(chosen(page)).toHaveValue('1');
   await expect(status(page)).toContainText(/\b3 motions/);
 
   await test.step('by keyboard', async () => {
+    await page.keyboard.press('Escape');
+    await chip(page).focus();
+    await page.keyboard.press('Enter');
     await skip(page, '/2').focus();
     await page.keyboard.press('Space');
     await expect(skip(page, '/2')).toHaveAttribute('aria-checked', 'true');
@@ -64,6 +70,7 @@ test('switches are shown for the block-skip levels and programs of the text, and
 
   await test.step('stored with the text', async () => {
     await page.reload();
+    await openReading(page);
     await expect(skip(page, '/')).toHaveAttribute('aria-checked', 'true');
     await expect(skip(page, '/2')).toHaveAttribute('aria-checked', 'false');
     await expect(chosen(page)).toHaveValue('7');
@@ -77,18 +84,23 @@ test('switches are shown for the block-skip levels and programs of the text, and
     await chosen(page).selectOption('1');
     await expect(page.getByRole('switch')).toHaveCount(0);
     await expect(chosen(page)).toHaveCount(0);
+    await expect(reading(page)).toBeVisible();
+    await page.keyboard.press('Escape');
   });
 
   await test.step('another program starts with the switches unset', async () => {
     await page.getByRole('button', { name: 'Open the first example' }).click();
     expect(await setup()).not.toHaveProperty('blockSkip');
     expect(await setup()).not.toHaveProperty('program');
+    await openReading(page);
+    await expect(page.getByRole('switch')).toHaveCount(0);
   });
 });
 
 test('programs with names are selected by name', async ({ page }) => {
   const setup = await listen(page);
   await open(page);
+  await openReading(page);
   await type(page, '<SHAFT-1>\nG0 X50 Z2\nM30\nO<bush>\nG0 X10\nX20\nM30\nO0007<DISC>\nM30\n');
   await expect(chosen(page).getByRole('option')).toHaveText(['<SHAFT-1>', '<bush>', 'O0007']);
   await expect(status(page)).toContainText(/\b1 motion/);
@@ -107,12 +119,15 @@ test('switches are set by attributes, and have labels in Chinese and Russian', a
     element.setAttribute('program', '7');
   });
   expect(await setup()).toMatchObject({ blockSkip: [1, 3], program: 7 });
+  await openReading(page);
   await expect(skip(page, '/3')).toHaveAttribute('aria-checked', 'true');
   await expect(skip(page, '/2')).toHaveAttribute('aria-checked', 'false');
-  await page.getByLabel('Language').selectOption('zh');
+  await chooseLanguage(page, 'zh');
+  await openReading(page);
   await expect(page.getByRole('switch', { name: '程序段跳过 /3' })).toBeVisible();
   await expect(page.getByRole('combobox', { name: '要运行的程序' })).toHaveValue('7');
-  await page.getByLabel('语言').selectOption('ru');
+  await chooseLanguage(page, 'ru');
+  await openReading(page);
   await expect(page.getByRole('switch', { name: 'Пропуск кадров /3' })).toBeVisible();
   await expect(page.getByRole('combobox', { name: 'Выполняемая программа' })).toHaveValue('7');
   await expect(status(page)).toContainText(/\d/);

@@ -1,6 +1,6 @@
 // The views beside the section: the end face, the side of the turret, dimensions of an edge, and two compared parts.
 import { expect, test, type Page } from './engines';
-import { editor, locate, open, program, status, tooltip, type } from './page';
+import { choose, chooseExample, editor, locate, open, openMenu, program, status, tooltip, type } from './page';
 
 interface Playground extends HTMLElement {
   locateOnFace(x: number, c: number): Promise<{ clientX: number; clientY: number }>;
@@ -34,13 +34,20 @@ test('a front turret has X+ below the axis', async ({ page }) => {
   await open(page, '#s003-g71');
   const below = async () => (await locate(page, 30, -20)).y > (await locate(page, 0, -20)).y;
   expect(await below()).toBe(false);
-  const turret = page.getByRole('button', { name: 'Front turret' });
+  const turret = page.getByRole('menuitemcheckbox', { name: 'Front turret' });
+  await page.getByRole('button', { name: 'More', exact: true }).focus();
+  await page.keyboard.press('ArrowDown');
   await turret.focus();
   await page.keyboard.press('Space');
-  await expect(turret).toHaveAttribute('aria-pressed', 'true');
+  await expect(turret).toBeHidden();
   expect(await below()).toBe(true);
+  await openMenu(page, 'more');
+  await expect(turret).toHaveAttribute('aria-checked', 'true');
   await turret.click();
-  await expect(turret).toHaveAttribute('aria-pressed', 'false');
+  expect(await below()).toBe(false);
+  await openMenu(page, 'more');
+  await expect(turret).toHaveAttribute('aria-checked', 'false');
+  await page.keyboard.press('Escape');
   await type(page, '(MACHINE TURRET=FRONT)\nG00 X50 Z2\nG01 Z-30 F0.2\n');
   await expect(status(page)).toContainText('2 motions');
 });
@@ -58,9 +65,9 @@ test('a kept part is compared with the next one, and the difference is measured'
   await open(page, '#s004-g94-wrong');
   // The example has its own comparison; a part kept by the user stays for the next example.
   await page.getByRole('button', { name: 'End comparison' }).click();
-  await page.getByRole('button', { name: 'Keep this part to compare' }).click();
+  await choose(page, 'more', 'Keep this part to compare');
   await expect(page.getByText('Same as the kept part')).toBeVisible();
-  await page.getByLabel('Example').selectOption('s004-g94-right');
+  await chooseExample(page, 'R calculated from the start point: -24');
   await expect(page.getByText('only in the kept part')).toBeVisible();
   await expect(page.getByText('1.667 mm in radius at Z−16.667; 3.333 mm along Z at X50')).toBeVisible();
   await page.getByRole('button', { name: 'End comparison' }).click();

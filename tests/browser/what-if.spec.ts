@@ -1,6 +1,6 @@
 // What-if values: another value for a variable is tried by keys alone, in three languages, without changing the text.
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { atCursor, editor, goTo, open, runAgain, type, value } from './page';
+import { atCursor, chooseLanguage, editor, goTo, open, runAgain, type, value } from './page';
 
 const CALLS = [
   'O1',
@@ -19,6 +19,8 @@ const CALLS = [
 
 const IN_WORDS = {
   en: {
+    pace: 'Speed and steps',
+    speed: 'Speed',
     held: 'Held before line 11',
     caller: 'called from line 5',
     next: 'The next time',
@@ -26,6 +28,8 @@ const IN_WORDS = {
     back: 'As written',
   },
   zh: {
+    pace: '速度与步进',
+    speed: '速度',
     held: '停在第 11 行之前',
     caller: '由第 5 行调用',
     next: '下一次',
@@ -33,6 +37,8 @@ const IN_WORDS = {
     back: '恢复原文',
   },
   ru: {
+    pace: 'Скорость и шаг',
+    speed: 'Скорость',
     held: 'Пауза перед строкой 11',
     caller: 'вызвана из строки 5',
     next: 'Следующий раз',
@@ -64,9 +70,11 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
   test(`inside a macro in a loop a variable gets another value, ${locale}`, async ({ page }) => {
     const words = IN_WORDS[locale];
     await open(page);
-    await page.locator('#language').selectOption(locale);
+    await chooseLanguage(page, locale);
     await type(page, CALLS);
-    await page.locator('.playback .speed:not(.unit)').selectOption('50×');
+    await page.getByRole('button', { name: words.pace }).click();
+    await page.getByRole('combobox', { name: words.speed, exact: true }).selectOption('50×');
+    await page.keyboard.press('Escape');
     // Pause inside the macro, in the loop that calls it.
     await editor(page).focus();
     await page.keyboard.press('Control+End');

@@ -23,6 +23,8 @@ export type Role =
   | 'log'
   | 'menu'
   | 'menuitem'
+  | 'menuitemcheckbox'
+  | 'menuitemradio'
   | 'note'
   | 'option'
   | 'radio'

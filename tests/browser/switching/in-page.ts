@@ -28,11 +28,10 @@ export async function ready(): Promise<void> {
   await customElements.whenDefined('gcode-playground');
   if (document.readyState !== 'complete')
     await new Promise((done) => window.addEventListener('load', done, { once: true }));
-  // The element is added with its first program, and the list of examples is loaded after the first picture.
+  // The element is added with its first program.
   const soon = (): Promise<void> => new Promise((done) => setTimeout(done, 5));
   while (document.querySelector('gcode-playground') === null) await soon();
   await (document.querySelector('gcode-playground') as Playground).settled;
-  while ((document.getElementById('example') as HTMLSelectElement).options.length < 2) await soon();
 }
 
 /** Changes the page to a state; the last change is one that a user or an author would make last. */
@@ -52,16 +51,29 @@ export async function go({
       new KeyboardEvent('keydown', { key: name, code: name, bubbles: true, composed: true, cancelable: true, ...held }),
     );
   };
-  const choose = (id: string, value: string): void => {
-    const select = document.getElementById(id) as HTMLSelectElement;
-    select.value = value;
-    select.dispatchEvent(new Event('change', { bubbles: true }));
+  /** Chooses a value of the language (row 0) or the theme (row 1) in the menu "More". */
+  const choose = <V extends string>(row: 0 | 1, values: readonly V[], value: V): void => {
+    const item = document.querySelectorAll('#more-menu > [role=group]')[row]?.children[values.indexOf(value)];
+    (item as HTMLButtonElement).click();
+  };
+  /** Chooses an example in the gallery, like a user. */
+  const chooseExample = async (id: string): Promise<void> => {
+    const kept = window as unknown as { cards: Promise<readonly string[]> | undefined };
+    // The ids of the cards, in their order.
+    kept.cards ??= fetch('examples/en.json')
+      .then((answer) => answer.json() as Promise<readonly { readonly examples: readonly { readonly id: string }[] }[]>)
+      .then((subjects) => subjects.flatMap(({ examples }) => examples.map((example) => example.id)));
+    const index = (await kept.cards).indexOf(id);
+    (document.getElementById('action-gallery') as HTMLButtonElement).click();
+    const cards = (): NodeListOf<HTMLButtonElement> => document.querySelectorAll('dialog[open] .card');
+    while (cards().length === 0) await sleep(0);
+    (cards()[index] as HTMLButtonElement).click();
   };
   let now = from;
 
   const load = async (state: State): Promise<void> => {
     playground.origin = null;
-    choose('example', state.program);
+    await chooseExample(state.program);
     while (playground.origin !== state.program) await sleep(0);
     const [program, setup] = [playground.value, playground.setup];
     const lines = program.split('\n');
@@ -102,15 +114,15 @@ export async function go({
       const to = step.to;
       const same = now !== undefined && to.program === now.program && to.text === now.text && to.setup === now.setup;
       if (!same) await load(to);
-      if (to.language !== now?.language) choose('language', to.language);
-      if (to.theme !== now?.theme) choose('theme', to.theme);
+      if (to.language !== now?.language) choose(0, ['en', 'zh', 'ru'], to.language);
+      if (to.theme !== now?.theme) choose(1, ['auto', 'light', 'dark'], to.theme);
       if (to.turret !== now?.turret) {
-        // The button shows the side of the turret, which the setup may define: press it until the side is correct.
+        // The item shows the side of the turret, which the setup may define: choose it until the side is correct.
         for (let turn = 0; turn < 3; turn++) {
           await playground.settled;
-          const button = found<HTMLButtonElement>('.views > button.level');
-          if ((button.getAttribute('aria-pressed') === 'true') === (to.turret === 'front') && turn > 0) break;
-          button.click();
+          const item = found<HTMLButtonElement>('[role=menuitemcheckbox]');
+          if ((item.getAttribute('aria-checked') === 'true') === (to.turret === 'front') && turn > 0) break;
+          item.click();
         }
       }
       now = to;
@@ -145,22 +157,24 @@ export async function go({
           canvas.dispatchEvent(new PointerEvent('pointerleave', { pointerType: 'mouse' }));
           break;
         }
-        case 'kept':
-          found<HTMLButtonElement>('.views > button.small:not([hidden])').click();
+        case 'kept': {
+          // The item that keeps the part follows that of the turret; it is hidden while two parts are compared.
+          const keep = found<HTMLButtonElement>('[role=menuitemcheckbox] + [role=menuitem]');
+          if (keep.hidden) break;
+          keep.click();
           await sleep(step.delay);
           await playground.settled;
-          for (const button of root.querySelectorAll<HTMLButtonElement>('.views > button.small:not([hidden])')) {
-            if (button.previousElementSibling?.hasAttribute('hidden') === true) button.click();
-          }
+          root.querySelector<HTMLButtonElement>('.views > button.small:not([hidden])')?.click();
           break;
+        }
       }
     }
     await sleep(step.delay);
   }
   await playground.settled;
   // The tool may still be at the position of a step.
-  const whole = found<HTMLButtonElement>('.playback .place > button.quiet');
-  if (getComputedStyle(whole).visibility === 'visible') whole.click();
+  const whole = found<HTMLButtonElement>('.over-picture > button');
+  if (whole.checkVisibility()) whole.click();
 }
 
 /** Waits until the page has settled, and returns its visible state. */
@@ -171,6 +185,9 @@ export async function look(): Promise<Look> {
     setTimeout(() => reject(new Error('the page has not settled within 30 s')), 30_000);
   });
   await Promise.race([playground.settled, late]);
+  // The list of problems is closed until a program with problems is opened: the earlier programs decide it.
+  const problems = root.querySelector<HTMLButtonElement>('.problems-toggle');
+  if (problems?.disabled === false && problems.getAttribute('aria-expanded') === 'false') problems.click();
   const seen: Record<string, string> = {};
   const words = (selector: string): string =>
     [...root.querySelectorAll<HTMLElement>(selector)].map((part) => (part.hidden ? '' : part.innerText)).join('\n');
@@ -200,15 +217,15 @@ export async function look(): Promise<Look> {
   seen['problems'] = words('[part=problems]');
   seen['status'] = words('[part=status]');
   seen['read-out'] = words('[part=readout]');
-  seen['views'] =
-    words('.views > button.level') + String(root.querySelector('.views > button.level')?.getAttribute('aria-pressed'));
+  const turret = root.querySelector('[role=menuitemcheckbox]');
+  seen['views'] = `${turret?.textContent} ${turret?.getAttribute('aria-checked')}`;
   seen['legend'] = words('[part=legend]');
   seen['setup'] = words('[part=setup]');
   // The motions in the page's own export.
   const save = HTMLAnchorElement.prototype.click;
   const { createObjectURL } = URL;
-  const table = root.querySelectorAll<HTMLButtonElement>('[part=export-menu] > button')[3];
-  if (root.querySelector<HTMLButtonElement>('.export-button')?.disabled === false) {
+  const table = root.querySelectorAll<HTMLButtonElement>('.share-menu [role=menuitem]')[3];
+  if (table?.disabled === false) {
     const saved = new Promise<Blob>((resolve) => {
       URL.createObjectURL = (blob) => {
         resolve(blob as Blob);
@@ -216,7 +233,7 @@ export async function look(): Promise<Look> {
       };
       HTMLAnchorElement.prototype.click = () => undefined;
     });
-    table?.click();
+    table.click();
     seen['motions'] = await (await Promise.race([saved, late])).text();
     HTMLAnchorElement.prototype.click = save;
     URL.createObjectURL = createObjectURL;

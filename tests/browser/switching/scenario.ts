@@ -118,7 +118,7 @@ export async function freshLoads(page: Page, loads: number, keep: Options['keep'
 async function turnThereAndBack(): Promise<void> {
   const playground = document.querySelector('gcode-playground') as HTMLElement & { readonly settled: Promise<number> };
   for (let turn = 0; turn < 2; turn++) {
-    playground.shadowRoot?.querySelector<HTMLButtonElement>('.views > button.level')?.click();
+    playground.shadowRoot?.querySelector<HTMLButtonElement>('[role=menuitemcheckbox]')?.click();
     await playground.settled;
   }
 }

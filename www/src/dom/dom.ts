@@ -46,7 +46,7 @@ interface IconShape {
 /** The icons: 20 × 20, in the text colour. */
 const ICONS = {
   play: [{ d: 'M6 3.5v13l10.5-6.5z' }],
-  screen: [{ d: 'M3 7.5V3h4.5M12.5 3H17v4.5M17 12.5V17h-4.5M7.5 17H3v-4.5', width: 1.7 }],
+  screen: [{ d: 'M11.5 3.5h5v5M16.5 3.5l-5.2 5.2M8.5 16.5h-5v-5M3.5 16.5l5.2-5.2', width: 1.7 }],
   'from-here': [{ d: 'M3.5 3v14', width: 2 }, { d: 'M7.5 4.5v11l8.5-5.5z' }],
   pause: [{ d: 'M5.5 4h3v12h-3zM11.5 4h3v12h-3z' }],
   next: [{ d: 'M4 4v12l8-6zM13.5 4h2.5v12h-2.5z' }],
@@ -58,6 +58,9 @@ const ICONS = {
   gallery: [{ d: 'M3.5 3.5h5.5v5.5H3.5zM11 3.5h5.5v5.5H11zM3.5 11h5.5v5.5H3.5zM11 11h5.5v5.5H11z', width: 1.6 }],
   folder: [{ d: 'M3 5h5l1.8 2.2H17V16H3z', width: 1.6 }],
   more: [{ d: 'M4.5 10h.1M10 10h.1M15.5 10h.1', width: 2.8 }],
+  undo: [{ d: 'M7 4.5L3.5 8 7 11.5M4 8h8a4.2 4.2 0 0 1 0 8.4H8', width: 1.7 }],
+  redo: [{ d: 'M13 4.5L16.5 8 13 11.5M16 8H8a4.2 4.2 0 0 0 0 8.4h4', width: 1.7 }],
+  help: [{ d: 'M7 7.4a3 3 0 1 1 4.6 2.5c-1 .7-1.6 1.2-1.6 2.3M10 15.3v.2', width: 1.8 }],
   open: [{ d: 'M11.5 3.5h5v5M16.5 3.5l-7.5 7.5M14.5 11.5v5h-11v-11h5', width: 1.7 }],
   share: [{ d: 'M10 12.5V3.2M6.4 6.6L10 3l3.6 3.6M6 9.5H4.5v7h11v-7H14', width: 1.6 }],
   outline: [{ d: 'M3.5 4.5h9M6.5 10h10M6.5 15.5h7', width: 1.7 }],

@@ -91,6 +91,8 @@ const listTheme = EditorView.theme({
   },
   '[aria-selected] .cm-completionDetail': { color: 'inherit' },
   '.cm-snippetField': { backgroundColor: 'var(--playground-accent-soft)' },
+  // The value of a field is selected, but equal numbers elsewhere have nothing to do with it.
+  '.cm-content:has(.cm-snippetField) .cm-selectionMatch': { backgroundColor: 'transparent' },
   // Larger targets for touch.
   '@media (pointer: coarse)': {
     '.cm-tooltip.cm-tooltip-autocomplete > [role=listbox]': { maxHeight: rem(11.5) },

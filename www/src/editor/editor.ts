@@ -5,7 +5,16 @@
 // lines become visible, and `onFileChanged` when the text belongs to another file, even by undo. Loaded by
 // `program.ts`, together with CodeMirror. Must not know: the language it edits.
 
-import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
+import {
+  defaultKeymap,
+  history,
+  historyKeymap,
+  isolateHistory,
+  redo,
+  redoDepth,
+  undo,
+  undoDepth,
+} from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
 import { linter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
@@ -28,6 +37,7 @@ import {
   keymap,
   tooltips,
   type ViewUpdate,
+  placeholder,
 } from '@codemirror/view';
 import { breakpoints, breakpointsOf, toggleBreakpoint } from './breakpoints';
 import { applyFix, areShown, lintDiagnostics } from './lint';
@@ -58,7 +68,7 @@ import type { Language } from '../dom/language';
 import type { LineEnds } from '../files/line-ends';
 import { make } from '../dom/dom';
 import { importWithRetry } from '../dom/network';
-import { COMMON } from '../dom/words';
+import { COMMON, words } from '../dom/words';
 import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
 import { Unsent } from './unsent';
 
@@ -137,7 +147,7 @@ export class Editor implements TextStore {
           initialFolds(() => this.#uiLanguage),
           folding(() => this.#uiLanguage),
           triedValues(() => this.#uiLanguage),
-          wordHover(events),
+          wordHover(events, () => this.#uiLanguage),
           this.#completion.of([]),
           EditorState.readOnly.of(access === 'readonly'),
           EditorView.editable.of(access === 'editable'),
@@ -226,6 +236,15 @@ export class Editor implements TextStore {
 
   rewrite(text: string): void {
     this.#replace(programText(text), [], 'undoable');
+  }
+
+  get history(): { readonly canUndo: boolean; readonly canRedo: boolean } {
+    const { state } = this.#view;
+    return { canUndo: undoDepth(state) > 0, canRedo: redoDepth(state) > 0 };
+  }
+
+  travel(direction: 'undo' | 'redo'): void {
+    (direction === 'undo' ? undo : redo)(this.#view);
   }
 
   #replace(program: ProgramText, effects: readonly StateEffect<unknown>[], undoable: 'undoable' | 'final'): void {
@@ -378,6 +397,19 @@ export class Editor implements TextStore {
     if (this.#diagnostics.length > 0) applyFix(this.#view, edits);
   }
 
+  /** Inserts a text at the cursor, as if the user had typed it. */
+  type(text: string): void {
+    // CodeMirror maps a selection whose text was replaced to a range that ends before it begins.
+    const { anchor, head } = this.#view.state.selection.main;
+    const [from, to] = [Math.min(anchor, head), Math.max(anchor, head)];
+    this.#view.dispatch({
+      changes: { from, to, insert: text },
+      selection: { anchor: from + text.length },
+      userEvent: 'input.type',
+      scrollIntoView: true,
+    });
+  }
+
   change(edits: readonly Change[]): void {
     if (edits.length === 0) return;
     this.#view.dispatch({
@@ -422,7 +454,7 @@ export class Editor implements TextStore {
       tabindex: '0',
       ...readonlyAttributes,
     };
-    return [EditorView.contentAttributes.of(attributes), editorPhrases(language)];
+    return [EditorView.contentAttributes.of(attributes), editorPhrases(language), placeholder(WORDS[language].empty)];
   }
 
   async #loadCompletion(): Promise<void> {
@@ -467,3 +499,9 @@ export class Editor implements TextStore {
     if (update.viewportChanged) this.#events.onViewMoved();
   }
 }
+
+const WORDS = words({
+  en: { empty: 'Write or paste a program, or drop a file here. Ctrl Space offers whole cycles.' },
+  zh: { empty: '在此编写或粘贴程序，或拖入文件。Ctrl 空格可插入完整的循环。' },
+  ru: { empty: 'Напишите или вставьте программу, или перетащите файл. Ctrl Пробел предлагает циклы целиком.' },
+});

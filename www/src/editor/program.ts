@@ -142,6 +142,21 @@ export class Program implements TextStore {
     this.#showPlaceholder();
   }
 
+  /** Whether there are changes to undo or to redo. */
+  get history(): { readonly canUndo: boolean; readonly canRedo: boolean } {
+    return this.#editor?.history ?? { canUndo: false, canRedo: false };
+  }
+
+  /** Undoes or redoes a change. */
+  travel(direction: 'undo' | 'redo'): void {
+    this.#editor?.travel(direction);
+  }
+
+  /** Inserts a text at the cursor, as if the user had typed it. */
+  type(text: string): void {
+    this.#editor?.type(text);
+  }
+
   change(edits: readonly Change[]): void {
     if (this.#access === 'readonly') return;
     this.#store.change(edits);

@@ -6,16 +6,16 @@
 import { make } from '../dom/dom';
 import type { HelpLine, WordHelp } from '../protocol/protocol';
 
-/** The word, its meaning and its value. */
+/** The word, its value and its meaning. */
 export function wordLine({ word, title, value }: WordHelp): HTMLElement {
   const line = make(
     'span',
     { className: 'word-line' },
     make('code', { lang: 'en' }, word),
     ' ',
+    ...(value === undefined ? [] : [make('span', { className: 'word-value' }, value), ' ']),
     make('span', { className: 'word-title' }, title),
   );
-  if (value !== undefined) line.append(' ', make('span', { className: 'word-value' }, value));
   return line;
 }
 

@@ -6,18 +6,27 @@
 import { forEachDiagnostic } from '@codemirror/lint';
 import type { EditorState, Extension } from '@codemirror/state';
 import { EditorView, hoverTooltip, type Tooltip } from '@codemirror/view';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { WordHelp } from '../protocol/protocol';
 import type { EditorEvents } from './text-store';
 import { wordCard } from './word-help';
 
 /** How long the pointer must rest before help is requested. */
 const HOVER_DELAY_MS = 350;
 
-export function wordHover(events: EditorEvents): Extension {
-  const source = async (view: EditorView, at: number): Promise<Tooltip | null> => {
+/** `language` is called for each tooltip. */
+export function wordHover(events: EditorEvents, language: () => Language): Extension {
+  const source = async (view: EditorView, position: number, side: -1 | 1): Promise<Tooltip | null> => {
+    // The character under the pointer.
+    const at = side < 0 ? position - 1 : position;
     // There is no help between words. A problem has priority: with both, the tooltip would move under the pointer.
     if (!/\S/.test(view.state.sliceDoc(at, at + 1)) || hasProblem(view.state, at)) return null;
     const { doc } = view.state;
-    const help = await events.wordAt(at);
+    let help: WordHelp | undefined = await events.wordAt(at);
+    // The interpreter describes the word that ends there, but the pointer is on the next character.
+    if (view.state.doc === doc && doc.sliceString(at, at + 1) === ';' && (help === undefined || help.to <= at))
+      help = { word: ';', title: WORDS[language()], facts: [], from: at, to: at + 1 };
     if (help === undefined || view.state.doc !== doc || help.to > doc.length || hasProblem(view.state, at)) return null;
     // Above, like the problems, so that the following lines stay visible.
     return {
@@ -48,3 +57,9 @@ function goTo(view: EditorView, offset: number): void {
   });
   view.focus();
 }
+
+const WORDS = words({
+  en: 'end of the block: the key EOB on the control',
+  zh: '程序段结束：系统面板上的 EOB 键',
+  ru: 'конец кадра: клавиша EOB на пульте',
+});

@@ -5,9 +5,3 @@ export function find<E extends HTMLElement = HTMLElement>(id: string): E {
   if (element === null) throw new Error(`the page has no #${id}`);
   return element as E;
 }
-
-/** Sets the caption before a select element. */
-export function label(select: HTMLSelectElement, text: string): void {
-  const caption = select.previousElementSibling;
-  if (caption !== null) caption.textContent = text;
-}

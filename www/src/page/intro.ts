@@ -4,14 +4,14 @@
 // In: which of these to show. Out: the lines, and clicks on their buttons. Must not know: how a program is loaded or
 // saved.
 
-import { make } from '../dom/dom';
+import { icon, make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { whenOnline } from '../dom/network';
 import type { GcodePlayground } from '../shell/element';
 import { find } from './find';
 import type { Example } from './gallery';
 import type { LinkedProgram } from './linked';
-import { MAX_SAVED_LENGTH, type OwnProgram } from './storage';
+import { MAX_SAVED_LENGTH, readChoices, saveChoices, type OwnProgram } from './storage';
 import { PAGE_WORDS } from './words';
 
 type IntroContent =
@@ -41,16 +41,31 @@ interface IntroHost {
   restoreProgram(program: OwnProgram): void;
 }
 
+/** In a narrower window the description is closed until the user opens it, to leave room for the program. */
+const MIN_WIDTH_FOR_DESCRIPTION_PX = 1200;
+
 export class Intro {
   readonly #host: IntroHost;
   readonly #element = find('intro');
   #current: IntroContent = { kind: 'example' };
+  /** Shows and hides the description of the program. */
+  readonly #toggle = make(
+    'button',
+    { type: 'button', id: 'about', slot: 'about', 'aria-controls': 'intro', 'aria-expanded': 'true' },
+    icon('info'),
+  );
+  #isOpen = (readChoices().description ?? (innerWidth >= MIN_WIDTH_FOR_DESCRIPTION_PX ? 'open' : 'closed')) === 'open';
   /** The values from which the current lines were rendered. */
   #shown: readonly unknown[] = [];
 
   constructor(host: IntroHost) {
     this.#host = host;
-    host.playground.append(this.#element);
+    host.playground.append(this.#element, this.#toggle);
+    this.#toggle.addEventListener('click', () => {
+      this.#isOpen = !this.#isOpen;
+      saveChoices({ description: this.#isOpen ? 'open' : 'closed' });
+      this.refresh();
+    });
     // When there is little room the element scrolls; make it scrollable by keyboard too.
     new ResizeObserver(() => {
       if (this.#element.scrollHeight > this.#element.clientHeight) this.#element.tabIndex = 0;
@@ -68,14 +83,18 @@ export class Intro {
     const isFile = playground.file !== undefined;
     const isTooLong = playground.length > MAX_SAVED_LENGTH;
     // This runs after each key press; skip the re-render if nothing changed, because it would lay out the whole page.
-    const shown = [content, language, example, isFile, isTooLong];
+    const shown = [content, language, example, isFile, isTooLong, this.#isOpen];
     if (shown.every((one, i) => one === this.#shown[i])) return;
     this.#shown = shown;
     const texts = PAGE_WORDS[language];
     const lines: HTMLElement[] = [];
-    if (example !== undefined && !isFile) {
-      lines.push(make('h2', {}, example.title[language]), make('p', {}, example.shows[language]));
-      if (example.added !== undefined) lines.push(make('p', { className: 'added' }, texts.added(example.added)));
+    const described = isFile ? undefined : example;
+    setAccessibleName(this.#toggle, texts.description);
+    this.#toggle.setAttribute('aria-expanded', String(this.#isOpen));
+    this.#toggle.hidden = described === undefined;
+    if (described !== undefined && this.#isOpen) {
+      lines.push(make('p', {}, described.shows[language]));
+      if (described.added !== undefined) lines.push(make('p', { className: 'added' }, texts.added(described.added)));
     }
     if (isTooLong) lines.push(make('p', { className: 'kept' }, texts.tooLongToSave));
     lines.push(...this.#offerLines(content));

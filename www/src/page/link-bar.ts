@@ -1,4 +1,4 @@
-// The bar under the header that describes an opened link: a task with its solution and a button to hand in, the name on
+// The bar over the element that describes an opened link: a task with its solution and a button to hand in, the name on
 // an answer, a read-only program, or an error in the link.
 //
 // In: what to show; the program to hand in. Out: clicks, and the link to hand in. Loaded only when needed. Must not

@@ -2,14 +2,16 @@
 // current one.
 //
 // In: the state of the service worker (`offline/service-worker`); whether the program is saved. Out: the registered
-// service worker; the manifest in the user's language; "works offline" in the settings; a bar about a newer version;
+// service worker; the manifest in the user's language; "works offline" in the menu "More"; a bar about a newer version;
 // files that the system opens with the installed page. Must not know: which files there are, or how they are stored.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { menuItem } from '../dom/menu';
 import { words } from '../dom/words';
 import { TAKE_OVER } from '../offline/take-over';
 import type { GcodePlayground } from '../shell/element';
+import { find } from './find';
 import './offline.css';
 
 /** Minimum interval between checks for a newer version, in a tab that stays open for days. */
@@ -32,8 +34,10 @@ interface LaunchQueue {
 
 export class Offline {
   readonly #host: OfflineHost;
-  readonly #statusText = make('span');
-  readonly #status = make('p', { id: 'offline', hidden: true }, this.#statusText);
+  /** An item that only informs. */
+  readonly #status = menuItem({ id: 'offline', disabled: true, hidden: true });
+  /** Screen readers announce the result, since it arrives later than the page. */
+  readonly #announcement = make('p', { className: 'unseen', 'aria-live': 'polite' });
   readonly #text = make('p', { role: 'status' });
   readonly #reloadButton = make('button', { type: 'button' });
   readonly #laterButton = make('button', { type: 'button' });
@@ -48,10 +52,8 @@ export class Offline {
 
   constructor(host: OfflineHost) {
     this.#host = host;
-    // Screen readers announce the result, since it arrives later than the page.
-    this.#status.setAttribute('aria-live', 'polite');
-    document.getElementById('settings')?.append(this.#status);
-    document.querySelector('header')?.after(this.#news);
+    find('more-menu').append(this.#status);
+    find('main').before(this.#news, this.#announcement);
     document.head.append(this.#manifest);
     this.#reloadButton.addEventListener('click', () => this.#activateUpdate());
     this.#laterButton.addEventListener('click', () => this.#showNews('none'));
@@ -70,7 +72,7 @@ export class Offline {
     this.#text.textContent = { none: '', newer: texts.newer, 'not-saved': texts.notSaved }[this.#shownNews];
     const text = { unknown: '', stored: texts.stored, 'not-stored': texts.notStored }[this.#state];
     this.#status.hidden = text === '';
-    this.#statusText.textContent = text;
+    this.#status.textContent = this.#announcement.textContent = text;
     this.#status.dataset['state'] = this.#state;
     this.#status.title = this.#state === 'stored' ? `${text}. ${texts.storedHint}` : text;
   }

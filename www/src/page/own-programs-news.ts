@@ -1,4 +1,4 @@
-// The notice under the header about saving the program.
+// The notice over the element about saving the program.
 //
 // In: a notice, the language, and the handler of its buttons. Out: an element for the page, visible whichever part of
 // the program is shown; empty if there is no notice. Must not know: how programs are saved.

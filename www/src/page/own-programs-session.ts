@@ -1,5 +1,5 @@
 // Synchronises a tab with the list of saved programs: writes entries, takes over what other tabs left in the journal,
-// follows their changes, and shows notices under the header.
+// follows their changes, and shows notices over the element.
 //
 // In: entries of the journal; events of other tabs and of the database. Out: rows of the list; the notice. Writes one
 // entry at a time, only the newest of each program, and retries failed writes. Must not know: the dialog, or
@@ -20,6 +20,7 @@ import {
   type Entry,
   type SavedProgram,
 } from './storage';
+import { find } from './find';
 
 const RETRY_AFTER_MS = 5000;
 const ANSWER_TIMEOUT_MS = 10_000;
@@ -52,7 +53,7 @@ export class Session implements SavedProgramList {
     this.#saver = saver;
     const { playground } = saver.host;
     this.showLanguage();
-    document.querySelector('header')?.after(this.#news.element);
+    find('main').before(this.#news.element);
     this.#tabs = new Tabs((news) => void this.#onTabNews(news));
     store.setStoreEvents({ onClosed: () => void this.#onDatabaseClosed() });
     addEventListener('pageshow', ({ persisted }) => {

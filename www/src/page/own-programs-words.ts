@@ -1,4 +1,4 @@
-// Texts of saved programs: the notices under the header, and the dialog.
+// Texts of saved programs: the notices over the element, and the dialog.
 
 import { counter } from '../dom/plural';
 import { words } from '../dom/words';

@@ -61,6 +61,7 @@ export interface PageHost {
   readonly program: SavedProgram;
   /** Saves the current program and replaces it; undo restores it. */
   readonly show: (program: OwnProgram) => Promise<void>;
+  openGallery(): void;
   /** The saved program in this tab, and the list of all. */
   readonly saver: TabProgram & { session(): Promise<SavedProgramList> };
 }

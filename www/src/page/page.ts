@@ -1,12 +1,11 @@
 // The page around the element: which program is shown, and when it is saved.
 //
-// In: the address (`#example`, or a program, see `linked.ts`), the browser's storage, the controls of the header, the
+// In: the address (`#example`, or a program, see `linked.ts`), the browser's storage, the menus, the
 // examples (`gallery.ts`), of which only the current one is loaded before the first picture. Out: attributes and value
 // of the element. Must not know: how the element works, or the content of a setup except for the name of its control.
 
 import '../shell/element';
 import './page.css';
-import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
 import type { GcodePlayground, OpenedProgram } from '../shell/element';
 import type { ProgramContext } from '../editor/text-store';
@@ -16,13 +15,13 @@ import { Intro } from './intro';
 import { Actions } from './actions';
 import { Appearance } from './appearance';
 import { ExampleList } from './example-list';
-import { find, label } from './find';
+import { find } from './find';
 import { FIRST_EXAMPLE, loadExample, type Example, type ExampleFailure } from './gallery';
 import type { Fault } from './link-bar';
 import { parseAddress, parsePlainLink, type AddressContent, type LinkedProgram } from './linked';
 import type { Offline } from './offline';
 import { OpenedLink } from './opened-link';
-import { LANGUAGES, languageOf, type Language } from '../dom/language';
+import { languageOf, type Language } from '../dom/language';
 import { COMMON } from '../dom/words';
 import { PAGE_WORDS } from './words';
 import { isWorkOn, saveWorkOn, lastWorkOn, findWorkOn, type FoundWork, type Work } from './task-work';
@@ -39,15 +38,10 @@ import {
   type OwnProgram,
 } from './storage';
 
-const CONTROLS = [
-  ['fanuc', 'FANUC'],
-  ['gsk', 'GSK'],
-  ['forum', 'Forum'],
-] as const;
 /** The origin of the program of a link; no example has this id. */
 const LINK_ORIGIN = '#program';
 /** The hints for a first visit. */
-const HINTS = 'edit play pick';
+const HINTS = 'play pick';
 /** Delay before a change is saved, together with later ones. */
 const SAVE_AFTER_MS = 400;
 /** How long the user must pause before a long program is saved: saving after each key would block the page. */
@@ -60,13 +54,6 @@ const playground = document.createElement('gcode-playground') as GcodePlayground
 playground.loading = 'eager';
 // This page is the playground itself, so the element needs no link to it.
 playground.playground = '';
-const controlSelect = find<HTMLSelectElement>('control');
-const languageSelect = find<HTMLSelectElement>('language');
-const openButton = find<HTMLButtonElement>('open');
-const saveButton = find<HTMLButtonElement>('save');
-const fileInput = find<HTMLInputElement>('file');
-const settingsToggle = find<HTMLButtonElement>('settings-toggle');
-const settings = find('settings');
 
 let language: Language = languageOf(
   parsePlainLink(location.hash)?.language ?? readChoices().language ?? navigator.language,
@@ -113,6 +100,7 @@ const host = {
   },
   titleOf: (id: string) => shownExamples.get(id)?.title[language],
   openList: () => actions.run('own-programs'),
+  openGallery: () => void examples.open(),
   choose: (id: string) => void choose(id),
   onGalleryMissing(retry: (() => void) | undefined): void {
     if (retry !== undefined) intro.showNotLoaded(retry);
@@ -132,21 +120,24 @@ const host = {
 };
 const intro = new Intro(host);
 const examples = new ExampleList(host);
-const appearance = new Appearance(playground);
+const appearance = new Appearance(playground, (chosen) => {
+  language = chosen;
+  saveChoices({ language });
+  showLanguage();
+});
 const link = new OpenedLink(host);
 const saver = new ProgramSaver(host);
-const actions = new Actions(find('actions'), host);
+const actions = new Actions(host);
 
 start();
 
 function start(): void {
-  for (const [value, text] of CONTROLS) controlSelect.append(make('option', { value }, text));
-  for (const tag of LANGUAGES)
-    languageSelect.append(make('option', { value: tag, lang: tag }, PAGE_WORDS[tag].languageName));
   playground.id = 'playground';
   playground.setAttribute('hints', readChoices().hints ?? HINTS);
   const { split } = readChoices();
   if (split !== undefined) playground.setAttribute('split', split);
+  // The element has the menus of the page and the title of the program.
+  for (const part of ['title', 'program-menu', 'share-menu', 'more-menu']) playground.append(find(part));
   showLanguage();
   addListeners();
   void showInitialProgram().then(() => {
@@ -345,7 +336,6 @@ function setProgram(
   playground.control = control;
   playground.opened = opened;
   savedText = playground.value;
-  showControl();
 }
 
 function endComparisonUnlessFor(chosen: Example | undefined): void {
@@ -404,7 +394,6 @@ async function onAddressChanged(): Promise<void> {
 
 /** Another program has replaced the current one, or undo has restored it. */
 function onOriginChanged(): void {
-  showControl();
   const now = shownExamples.get(playground.origin ?? '');
   if (now === example) return;
   saver.onTextReplaced(playground.length > MAX_SAVED_LENGTH ? undefined : playground.opened.text);
@@ -448,18 +437,17 @@ function restore(
 
 function addListeners(): void {
   window.addEventListener('hashchange', () => void onAddressChanged());
-  controlSelect.addEventListener('change', () => {
-    playground.control = controlSelect.value;
-    scheduleSave();
-  });
-  languageSelect.addEventListener('change', () => {
-    language = languageOf(languageSelect.value);
-    saveChoices({ language });
-    showLanguage();
-  });
   playground.addEventListener('gcode-split', (event) =>
     saveChoices({ split: (event as CustomEvent<{ readonly split: string }>).detail.split }),
   );
+  document.addEventListener('keydown', (event) => {
+    if (event.key.toLowerCase() !== 'k' || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey) return;
+    event.preventDefault();
+    void import('./palette').then(
+      ({ openPalette }) => openPalette(playground.commands, language),
+      () => undefined,
+    );
+  });
   // The element handles what is dropped on it; elsewhere the browser would leave the page.
   acceptFiles(
     document.documentElement,
@@ -469,20 +457,10 @@ function addListeners(): void {
     },
     'unhandled',
   );
-  openButton.addEventListener('click', () => fileInput.click());
-  saveButton.addEventListener('click', () => playground.saveFile());
-  fileInput.addEventListener('change', () => {
-    const file = fileInput.files?.[0];
-    if (file !== undefined) void playground.openFile(file);
-    fileInput.value = '';
-  });
-  settingsToggle.addEventListener('click', () => {
-    const open = settings.classList.toggle('open');
-    settingsToggle.setAttribute('aria-expanded', String(open));
-  });
   playground.addEventListener('gcode-change', () => {
     // The description of the example is removed when a file is opened.
     intro.refresh();
+    examples.show();
     scheduleSave();
   });
   playground.addEventListener('gcode-hint', (event) => {
@@ -495,10 +473,7 @@ function addListeners(): void {
   // A program put in by a script has its own context, too.
   playground.addEventListener('gcode-report', onOriginChanged);
   playground.addEventListener('gcode-switch', scheduleSave);
-  playground.addEventListener('gcode-setup', () => {
-    showControl();
-    scheduleSave();
-  });
+  playground.addEventListener('gcode-setup', scheduleSave);
   window.addEventListener('pagehide', () => saveNow());
   document.addEventListener('visibilitychange', () => {
     if (document.visibilityState === 'hidden') saveNow();
@@ -553,7 +528,7 @@ function saveNow(address: 'update-address' | 'keep-address' = 'update-address'):
   savedText = text;
   const { file, setup, blockSkip, program } = playground;
   const isUnchanged = file === undefined && setup === example?.setup && blockSkip === null && program === null;
-  if (isUnchanged && text === example?.program && controlSelect.value === controlOf(example.setup)) {
+  if (isUnchanged && text === example?.program && currentControl() === controlOf(example.setup)) {
     // Update the saved program in the list, if the user has returned to the unchanged example.
     if (saver.id !== undefined) saver.save(currentProgram());
     clearLastEntry();
@@ -620,26 +595,20 @@ function saveAsWork(): void {
 function showLanguage(): void {
   const texts = PAGE_WORDS[language];
   document.documentElement.lang = language;
-  find('title').textContent = texts.title;
+  find('page-title').textContent = texts.title;
   playground.language = language;
-  languageSelect.value = language;
-  label(controlSelect, texts.control);
-  label(languageSelect, texts.language);
   appearance.showLanguage(language);
-  openButton.textContent = texts.openFile;
-  saveButton.textContent = texts.saveFile;
-  settingsToggle.textContent = texts.settings;
   actions.showLanguage();
   offline?.showLanguage();
   link.showLanguage();
   saver.showLanguage();
-  examples.showLanguage();
+  examples.show();
   intro.refresh();
 }
 
-/** Selects the control that runs the program: the user's choice, or that of the setup. */
-function showControl(): void {
-  controlSelect.value = playground.control ?? controlOf(playground.setup ?? '{}');
+/** The control that runs the program: that of the program's context, or that of the setup. */
+function currentControl(): string {
+  return playground.control ?? controlOf(playground.setup ?? '{}');
 }
 
 function controlOf(setup: string): string {

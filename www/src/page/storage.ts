@@ -45,6 +45,10 @@ interface Choices {
   readonly hints?: string;
   /** The width of the program, in percent of the element. */
   readonly split?: string;
+  /** Whether the description of the program is open. */
+  readonly description?: string;
+  /** Names of the commands used last, JSON. */
+  readonly recent?: string;
   /** The text size, in percent. */
   readonly textSize?: string;
 }
@@ -57,7 +61,7 @@ const LAST_KEY = `gcode-playground:last:${location.pathname}`;
 /** The programs that are the work on a task. */
 const WORKS_KEY = `gcode-playground:task:${location.pathname}`;
 const CHOICES_KEY = 'gcode-playground:choices';
-const CHOICE_NAMES = ['language', 'theme', 'hints', 'split', 'textSize'] as const;
+const CHOICE_NAMES = ['language', 'theme', 'hints', 'split', 'textSize', 'description', 'recent'] as const;
 /** The format of `newId`. */
 const ID = /^[\da-f]{16,32}$/;
 

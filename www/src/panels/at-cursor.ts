@@ -10,7 +10,16 @@ import { isCompletionEnabled, setCompletionEnabled } from '../editor/completion-
 import { factList, wordLine } from '../editor/word-help';
 import type { FormHelp, FormLine, FormWord, Help, HelpLine, StateHelp, StateRow } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
-import { isInProgram, type Key, type NewestQuestion, type Panel, type PanelKind, type Shell } from './panel';
+import {
+  isInProgram,
+  type Key,
+  type NewestQuestion,
+  type Panel,
+  type PanelKind,
+  type Services,
+  type Shell,
+  type UserCommand,
+} from './panel';
 import atCursorStyles from './at-cursor.css?inline';
 
 /** Delay until the panel shows that an answer is pending, ms: an answer may need another pass over the program. */
@@ -89,6 +98,12 @@ class AtCursor implements Panel {
   #hasNavigation = false;
   #hasMark = false;
   readonly elements = { problems: [this.#element] };
+  readonly services: Partial<Services> = {
+    explain: () => {
+      this.#hasFocusedText = true;
+      this.#setOpen(true);
+    },
+  };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -103,6 +118,16 @@ class AtCursor implements Panel {
     this.#playBlock.addEventListener('click', () => shell.service('playBlock')());
     this.#toCursor.addEventListener('click', () => shell.service('playToCursor')());
     this.#breakpoint.addEventListener('click', () => shell.service('toggleBreakpoint')());
+  }
+
+  get commands(): readonly UserCommand[] {
+    const texts = WORDS[this.#shell.language];
+    return [
+      { name: texts.atCursor, keys: 'F1', run: () => this.services.explain?.() },
+      { name: texts.playBlock, keys: 'F10', run: () => this.#shell.service('playBlock')() },
+      { name: texts.toCursor, keys: 'Ctrl F10', run: () => this.#shell.service('playToCursor')() },
+      { name: texts.breakpoint, keys: 'Ctrl F8', run: () => this.#shell.service('toggleBreakpoint')() },
+    ];
   }
 
   set language(language: Language) {
@@ -236,7 +261,13 @@ class AtCursor implements Panel {
       this.#renderedKeys.set(part, key);
       return key !== before;
     };
-    if (hasChanged(this.#line, word)) this.#line.replaceChildren(word === undefined ? texts.nothing : wordLine(word));
+    if (hasChanged(this.#line, word)) {
+      const reason = word?.facts[0]?.text;
+      this.#line.replaceChildren(
+        word === undefined ? texts.nothing : wordLine(word),
+        ...(reason === undefined ? [] : [' ', make('span', { className: 'word-reason' }, reason)]),
+      );
+    }
     if (hasChanged(this.#facts, word))
       this.#facts.replaceChildren(
         ...(word === undefined ? [] : [factList(word.facts, (offset) => this.#goTo(offset))]),
@@ -433,7 +464,7 @@ const WORDS = words({
     playBlock: 'Play this block',
     toCursor: 'Play to here',
     breakpoint: 'Stop here',
-    empty: 'what the word there is',
+    empty: 'Change a number: the picture follows. Point at a word to read what it means.',
     nothing: 'no word',
     pending: 'the program is being run again …',
     form: 'Form of the block',
@@ -461,7 +492,7 @@ const WORDS = words({
     playBlock: '播放本段',
     toCursor: '播放到此处',
     breakpoint: '在此停下',
-    empty: '光标处的字是什么',
+    empty: '修改一个数，图形随之变化。把指针放在字上，可看到它的含义。',
     nothing: '没有字',
     pending: '正在重新执行程序……',
     form: '本程序段的格式',
@@ -489,7 +520,7 @@ const WORDS = words({
     playBlock: 'Показать кадр',
     toCursor: 'Показать до него',
     breakpoint: 'Пауза здесь',
-    empty: 'что за слово',
+    empty: 'Измените число — рисунок последует за ним. Наведите указатель на слово, чтобы узнать его смысл.',
     nothing: 'слова нет',
     pending: 'программа выполняется ещё раз …',
     form: 'Форма кадра',

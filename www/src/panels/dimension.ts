@@ -5,7 +5,7 @@
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Dimension, LengthUnit } from '../protocol/protocol';
-import { formatLength, formatShort } from './lengths';
+import { formatLength, formatShort, toUnit } from './lengths';
 
 export function dimensionText(language: Language, edge: Dimension, unit: LengthUnit): string {
   const texts = WORDS[language];
@@ -26,6 +26,8 @@ export function dimensionText(language: Language, edge: Dimension, unit: LengthU
       return texts.arc(format(edge.radius ?? 0));
     case 'thread':
       return texts.threadEdge(format(edge.lead ?? 0), x1, x0);
+    case 'across':
+      return texts.across(x0, formatShort(toUnit(edge.z[0], unit), unit === 'mm' ? 1 : 2), edge.x[1] > 0 ? x1 : '');
   }
 }
 
@@ -39,6 +41,8 @@ const WORDS = words({
     arc: (radius: string) => `Radius ${radius}`,
     threadEdge: (lead: string, major: string, minor: string) =>
       `Thread, lead ${lead}, ⌀${major} outside, ⌀${minor} inside`,
+    across: (diameter: string, z: string, bore: string) =>
+      `⌀${diameter} at Z${z}${bore === '' ? '' : `, bore ⌀${bore}`}`,
   },
   zh: {
     cylinder: (diameter, length) => `⌀${diameter}，长 ${length}`,
@@ -47,6 +51,7 @@ const WORDS = words({
     ratio: (n) => `，锥度 1:${n}`,
     arc: (radius) => `圆弧 R${radius}`,
     threadEdge: (lead, major, minor) => `螺纹，导程 ${lead}，大径 ⌀${major}，小径 ⌀${minor}`,
+    across: (diameter, z, bore) => `Z${z} 处 ⌀${diameter}${bore === '' ? '' : `，孔 ⌀${bore}`}`,
   },
   ru: {
     cylinder: (diameter, length) => `⌀${diameter}, длина ${length}`,
@@ -55,5 +60,6 @@ const WORDS = words({
     ratio: (n) => `, 1:${n}`,
     arc: (radius) => `Радиус ${radius}`,
     threadEdge: (lead, major, minor) => `Резьба, ход ${lead}, наружный ⌀${major}, внутренний ⌀${minor}`,
+    across: (diameter, z, bore) => `⌀${diameter} на Z${z}${bore === '' ? '' : `, отверстие ⌀${bore}`}`,
   },
 });

@@ -11,7 +11,7 @@ import type { Panel, PanelKind, Shell } from './panel';
 import dividerStyles from './divider.css?inline';
 
 /** Width of the program, percent: default, minimum and maximum. */
-const WIDTH_PERCENT = { default: 40, min: 20, max: 75 } as const;
+const WIDTH_PERCENT = { default: 42, min: 20, max: 75 } as const;
 /** Percent for each key press. */
 const STEP_PERCENT = 2;
 

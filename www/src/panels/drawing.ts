@@ -59,8 +59,8 @@ export class Drawing {
   readonly #events: DrawingEvents;
   readonly #holder = make('div', { className: 'canvas-holder' });
   readonly #fit = make('button', { type: 'button' }, icon('fit'));
-  readonly #zoomIn = make('button', { type: 'button' }, icon('plus'));
-  readonly #zoomOut = make('button', { type: 'button' }, icon('minus'));
+  readonly #zoomIn = make('button', { type: 'button', className: 'zoom' }, icon('plus'));
+  readonly #zoomOut = make('button', { type: 'button', className: 'zoom' }, icon('minus'));
   /** The kinds of strokes, and the buttons to fit and zoom. The element decides where they are placed. */
   readonly legend = make('ul', { className: 'legend', part: 'legend' });
   readonly viewButtons = make('div', { className: 'view-buttons' });
@@ -83,6 +83,8 @@ export class Drawing {
   #label: (motions: number) => string = () => '';
   #summary: Summary | undefined;
   #work: readonly WorkShown[] = [];
+  /** The position of the tool before the first motion, formatted; empty without motions. */
+  #start = '';
   #stroke: Stroke | undefined;
   #edge: string | undefined;
   /** Explanation of the block of a motion. */
@@ -145,6 +147,11 @@ export class Drawing {
   /** What the picture shows besides strokes. */
   set work(work: readonly WorkShown[]) {
     this.#work = work;
+    this.#showSummary();
+  }
+
+  set start(start: string) {
+    this.#start = start;
     this.#showSummary();
   }
 
@@ -253,13 +260,16 @@ export class Drawing {
       [(summary?.feeds ?? 0) + (summary?.arcs ?? 0) > 0, 'feed', WORDS[this.#language].feed],
       [(summary?.threads ?? 0) > 0, 'thread', WORDS[this.#language].thread],
       ...this.#work.map((what): [boolean, string, string] => [true, what, WORDS[this.#language][what]]),
+      [this.#start !== '', '', WORDS[this.#language].start(this.#start)],
     ];
     const present = kinds.filter(([present]) => present);
     const shown = present.map(([, , text]) => text).join();
     if (shown === this.#shownLegend) return;
     this.#shownLegend = shown;
     this.legend.replaceChildren(
-      ...present.map(([, kind, text]) => make('li', {}, make('span', { className: `swatch ${kind}` }), text)),
+      ...present.map(([, kind, text]) =>
+        make('li', {}, ...(kind === '' ? [] : [make('span', { className: `swatch ${kind}` })]), text),
+      ),
     );
   }
 
@@ -428,6 +438,7 @@ const WORDS = words({
     chuck: 'chuck',
     tailstock: 'tailstock',
     collision: 'collision',
+    start: (at: string) => `tool starts at ${at}`,
   },
   zh: {
     nothingToDraw: '还没有运动。请编写一段移动指令，或选择一个示例。',
@@ -440,6 +451,7 @@ const WORDS = words({
     chuck: '卡盘',
     tailstock: '尾座',
     collision: '碰撞',
+    start: (at) => `刀具起点 ${at}`,
   },
   ru: {
     nothingToDraw: 'Перемещений пока нет. Напишите кадр с перемещением или выберите пример.',
@@ -452,5 +464,6 @@ const WORDS = words({
     chuck: 'патрон',
     tailstock: 'задняя бабка',
     collision: 'столкновение',
+    start: (at) => `инструмент начинает в ${at}`,
   },
 });

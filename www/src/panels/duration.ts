@@ -1,4 +1,4 @@
-// Formats durations, with counts of the motions whose time is unknown.
+// Formats durations, with the number of cuts whose time is unknown.
 //
 // In: seconds and counts. Out: texts. Must not know: where they come from.
 
@@ -6,11 +6,20 @@ import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
 import { words } from '../dom/words';
 
-/** The known time, and the number of motions of unknown time. */
+/** The known time, the time of rapids at the assumed rate, and the number of cuts of unknown time. */
 interface Duration {
   readonly seconds: number;
+  readonly assumedSeconds: number;
   readonly unknownCuts: number;
-  readonly unknownRapids: number;
+}
+
+/** "3:32": with the rapids at the assumed rate, and "3:32 + 2 cuts" if the time of cuts is unknown. */
+export function formatDuration(duration: Duration, language: Language): string {
+  const { seconds, assumedSeconds, unknownCuts } = duration;
+  const all = seconds + assumedSeconds;
+  if (unknownCuts === 0) return formatClock(all);
+  const cuts = WORDS[language].cuts(unknownCuts);
+  return all === 0 ? cuts : `${formatClock(all)} + ${cuts}`;
 }
 
 /** "1:38" or "1:02:09". */
@@ -23,30 +32,10 @@ export function formatClock(seconds: number): string {
     : `${minutes}:${twoDigits(wholeSeconds % 60)}`;
 }
 
-/** " + 102 rapids": the motions that the time does not include; empty if it includes all. */
-export function unknownCounts({ unknownCuts, unknownRapids }: Duration, language: Language): string {
-  const texts = WORDS[language];
-  const rapids = unknownRapids > 0 ? ` + ${texts.rapids(unknownRapids)}` : '';
-  const cuts = unknownCuts > 0 ? ` + ${texts.cuts(unknownCuts)}` : '';
-  return rapids + cuts;
-}
-
 const WORDS = words({
-  en: {
-    rapids: counter('en', { one: 'rapid', other: 'rapids' }),
-    cuts: counter('en', { one: 'cut', other: 'cuts' }),
-  },
-  zh: {
-    rapids: (n) => `${n} 段快移`,
-    cuts: (n) => `${n} 段切削`,
-  },
+  en: { cuts: counter('en', { one: 'cut', other: 'cuts' }) },
+  zh: { cuts: (n) => `${n} 段切削` },
   ru: {
-    rapids: counter('ru', {
-      one: 'ускоренный ход',
-      few: 'ускоренных хода',
-      many: 'ускоренных ходов',
-      other: 'ускоренного хода',
-    }),
     cuts: counter('ru', { one: 'рабочий ход', few: 'рабочих хода', many: 'рабочих ходов', other: 'рабочего хода' }),
   },
 });

@@ -6,6 +6,7 @@
 import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
 import type { Language } from '../dom/language';
+import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
 import { bytesToSave, download, reread } from '../editor/program-files';
 import { programText, type ProgramFile } from '../editor/program-text';
@@ -17,6 +18,9 @@ import fileBarStyles from './file-bar.css?inline';
 
 export const fileBar: PanelKind = { control: 'file', styles: fileBarStyles, make: (shell) => new FileBar(shell) };
 
+/** File types that the dialog of the browser offers. */
+const FILE_TYPES = '.nc,.cnc,.tap,.txt,.gcode,.ngc,.mpf,.min,.eia,text/plain';
+
 class FileBar implements Panel {
   readonly #shell: Shell;
   readonly #element = make('div', { className: 'file', part: 'file', hidden: true });
@@ -25,7 +29,10 @@ class FileBar implements Panel {
   #file: ProgramFile | undefined;
   /** The newest file that is being read. */
   #pendingOpen: Promise<unknown> | undefined;
-  readonly elements = { bar: [this.#element] };
+  readonly #input = make('input', { type: 'file', hidden: true, accept: FILE_TYPES });
+  readonly #openItem = menuItem();
+  readonly #saveItem = menuItem();
+  readonly elements = { bar: [this.#element], 'program-menu': [this.#openItem, this.#saveItem, this.#input] };
   readonly services: Partial<Services> = { openFile: (file) => this.#open(file), saveFile: () => this.#save() };
 
   constructor(shell: Shell) {
@@ -40,6 +47,14 @@ class FileBar implements Panel {
       this.#changeEncoding(chosen);
     });
     this.#element.append(this.#name, this.#encoding);
+    this.#openItem.hidden = shell.readonly;
+    this.#openItem.addEventListener('click', () => this.#input.click());
+    this.#saveItem.addEventListener('click', () => this.#save());
+    this.#input.addEventListener('change', () => {
+      const file = this.#input.files?.[0];
+      if (file !== undefined) void this.#open(file);
+      this.#input.value = '';
+    });
     // Also over the drawing, where the browser would otherwise navigate to the file.
     acceptFiles(shell.root.host as HTMLElement, {
       hint: () => COMMON[shell.language].dropHere,
@@ -50,6 +65,8 @@ class FileBar implements Panel {
   set language(language: Language) {
     this.#encoding.setAttribute('aria-label', WORDS[language].encoding);
     this.#encoding.title = WORDS[language].encodingHint;
+    this.#openItem.textContent = WORDS[language].openFile;
+    this.#saveItem.textContent = WORDS[language].saveFile;
   }
 
   onFileChanged(file: ProgramFile | undefined): void {
@@ -63,10 +80,12 @@ class FileBar implements Panel {
   }
 
   onKey({ event }: Key): 'handled' | 'ignored' {
-    const isSave =
-      event.key.toLowerCase() === 's' && (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey;
-    if (isSave) this.#save();
-    return isSave ? 'handled' : 'ignored';
+    if (!(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey) return 'ignored';
+    const letter = event.key.toLowerCase();
+    if (letter === 's') this.#save();
+    else if (letter === 'o' && !this.#shell.readonly) this.#input.click();
+    else return 'ignored';
+    return 'handled';
   }
 
   get #words(): (typeof WORDS)['en'] {
@@ -143,6 +162,8 @@ class FileBar implements Panel {
 
 const WORDS = words({
   en: {
+    openFile: 'Open file…',
+    saveFile: 'Save file',
     opened: (name: string) => `Opened ${name}`,
     openedAs: (name: string, encoding: string) =>
       `Opened ${name} as ${encoding}. If the text is garbled, choose another encoding beside its name.`,
@@ -162,6 +183,8 @@ const WORDS = words({
       `${encoding} has no character “${character}”: ${name} was saved as UTF-8.`,
   },
   zh: {
+    openFile: '打开文件…',
+    saveFile: '保存文件',
     opened: (name) => `已打开 ${name}`,
     openedAs: (name, encoding) => `已按 ${encoding} 打开 ${name}。如果显示为乱码，请在文件名旁选择其他编码。`,
     openedBinary: (name) => `已打开 ${name}。它不像文本文件；不作修改保存时，字节保持不变。`,
@@ -176,6 +199,8 @@ const WORDS = words({
     savedAsUtf8: (name, encoding, character) => `${encoding} 中没有“${character}”：${name} 已改用 UTF-8 保存。`,
   },
   ru: {
+    openFile: 'Открыть файл…',
+    saveFile: 'Сохранить файл',
     opened: (name) => `Открыт файл ${name}`,
     openedAs: (name, encoding) =>
       `Файл ${name} открыт в кодировке ${encoding}. Если текст нечитаем, выберите другую рядом с именем.`,

@@ -5,8 +5,10 @@ import { atCursor } from './at-cursor';
 import { codes } from './codes';
 import { exports } from './exports';
 import { fileBar } from './file-bar';
+import { header } from './header';
 import { help } from './help';
 import { hints } from './hints';
+import { keys } from './keys';
 import type { PanelKind } from './panel';
 import { motions } from './motions';
 import { navigation } from './navigation';
@@ -32,6 +34,7 @@ import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
+  header,
   tabs,
   divider,
   hints,
@@ -43,6 +46,7 @@ export const FURTHER: readonly PanelKind[] = [
   atCursor,
   navigation,
   whatIf,
+  keys,
   setup,
   views,
   playback,

@@ -1,9 +1,10 @@
-// The popover with keys and gestures, and links to the table of codes, the pages of the rules and the reference.
+// The menu "Help": the popover with keys and gestures, the table of codes, the pages of the rules and the reference.
 //
 // Must not know: which part handles a key.
 
 import { make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
 import { allRulesLink, referenceLink } from '../editor/rule-link';
 import type { Key, Panel, PanelKind, Shell } from './panel';
@@ -12,19 +13,28 @@ import helpStyles from './help.css?inline';
 export const help: PanelKind = { control: 'help', styles: helpStyles, make: (shell) => new Help(shell) };
 
 class Help implements Panel {
-  readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'help-button quiet', 'aria-haspopup': 'dialog' }, '?');
+  readonly #keys = menuItem({ 'aria-haspopup': 'dialog' });
+  readonly #codes = menuItem({ 'aria-haspopup': 'dialog' });
+  /** The pages of the rules and of the reference. */
+  readonly #links = make('div', { className: 'region' });
   readonly #element = make('div', { className: 'help', part: 'help', role: 'dialog', popover: 'auto' });
-  readonly elements = { foot: [this.#button], dialogs: [this.#element] };
+  readonly elements = { 'help-menu': [this.#keys, this.#codes, this.#links], dialogs: [this.#element] };
 
   constructor(shell: Shell) {
-    this.#shell = shell;
-    this.#button.popoverTargetElement = this.#element;
+    this.#keys.popoverTargetElement = this.#element;
+    this.#codes.addEventListener('click', () => shell.service('openCodes')());
   }
 
   set language(language: Language) {
     const strings = WORDS[language];
-    setAccessibleName(this.#button, `${strings.help} (?)`);
+    this.#keys.textContent = strings.helpTitle;
+    this.#codes.textContent = strings.codes;
+    const links = [allRulesLink(language), referenceLink(language)];
+    for (const link of links) {
+      link.setAttribute('role', 'menuitem');
+      link.tabIndex = -1;
+    }
+    this.#links.replaceChildren(...links);
     this.#element.setAttribute('aria-label', strings.helpTitle);
     const close = make('button', { type: 'button', className: 'quiet close' }, '×');
     setAccessibleName(close, COMMON[language].close);
@@ -35,19 +45,7 @@ class Help implements Panel {
       for (const [i, key] of combinations.split('  ').entries()) term.append(i > 0 ? ' ' : '', make('kbd', {}, key));
       keys.append(term, make('dd', {}, action));
     }
-    const codes = make('button', { type: 'button', className: 'framed', 'aria-haspopup': 'dialog' }, strings.codes);
-    codes.addEventListener('click', () => {
-      this.#element.hidePopover();
-      // When the dialog closes, it returns the focus to this button.
-      this.#button.focus();
-      this.#shell.service('openCodes')();
-    });
-    this.#element.replaceChildren(
-      make('h2', {}, strings.helpTitle),
-      close,
-      make('div', { className: 'further' }, codes, allRulesLink(language), referenceLink(language)),
-      keys,
-    );
+    this.#element.replaceChildren(make('h2', {}, strings.helpTitle), close, keys);
   }
 
   onKey({ event, inside }: Key): 'handled' | 'ignored' {
@@ -59,7 +57,6 @@ class Help implements Panel {
 
 const WORDS = words({
   en: {
-    help: 'Help',
     helpTitle: 'Keys and gestures',
     codes: 'Supported codes',
     shortcuts: [
@@ -88,7 +85,6 @@ const WORDS = words({
     ] satisfies readonly (readonly [keys: string, what: string])[],
   },
   zh: {
-    help: '帮助',
     helpTitle: '按键与手势',
     codes: '支持的代码',
     shortcuts: [
@@ -117,7 +113,6 @@ const WORDS = words({
     ],
   },
   ru: {
-    help: 'Справка',
     helpTitle: 'Клавиши и жесты',
     codes: 'Поддерживаемые коды',
     shortcuts: [

@@ -1,5 +1,4 @@
-// The hints for a first visit, one after the other, each where it applies: in the program, at the play button, over the
-// picture. A hint is not shown again once the user has done what it says or has dismissed it.
+// The hints for a first visit, one after the other, over the picture. A hint is not shown again once the user has done what it says or has dismissed it.
 //
 // In: the remaining hints, from the element's attribute `hints` (no attribute: no hints). Out: the new value of the
 // attribute, and the event `gcode-hint`, so that the page can store it. Must not know: where it is stored.
@@ -11,7 +10,7 @@ import type { Readout } from '../protocol/protocol';
 import type { Panel, PanelKind, Shell } from './panel';
 import hintsStyles from './hints.css?inline';
 
-const NAMES = ['edit', 'play', 'pick'] as const;
+const NAMES = ['play', 'pick'] as const;
 type Name = (typeof NAMES)[number];
 
 export const hints: PanelKind = { styles: hintsStyles, make: (shell) => new Hints(shell) };
@@ -23,12 +22,11 @@ class Hints implements Panel {
 
   constructor(shell: Shell) {
     this.#host = shell.root.host;
-    this.#hints = { edit: this.#hint('edit'), play: this.#hint('play'), pick: this.#hint('pick') };
-    const { edit, play, pick } = this.#hints;
+    this.#hints = { play: this.#hint('play'), pick: this.#hint('pick') };
+    const { play, pick } = this.#hints;
     // These hints float over the pictures, so the pictures keep their size.
     const overPictures = make('div', { className: 'over-pictures' }, pick.element, play.element);
-    this.elements = { notices: [edit.element], pictures: [overPictures] };
-    this.#host.addEventListener('gcode-change', () => this.#finish('edit'));
+    this.elements = { pictures: [overPictures] };
     this.#host.addEventListener('gcode-select', () => this.#finish('pick'));
     this.#show();
   }
@@ -86,19 +84,16 @@ class Hint {
 
 const WORDS = words({
   en: {
-    edit: 'Change a number in the program: the picture follows.',
     play: 'Play below shows the tool at work; its block is marked in the program.',
     pick: 'Click a stroke to find the block that made it.',
     dismiss: 'Got it',
   },
   zh: {
-    edit: '修改程序中的一个数，图形随之变化。',
     play: '按下方的“播放”观看刀具运动，程序中会标出正在执行的程序段。',
     pick: '单击线条，找到生成它的程序段。',
     dismiss: '知道了',
   },
   ru: {
-    edit: 'Измените число в программе: чертёж изменится вместе с ним.',
     play: '«Пуск» внизу показывает работу инструмента; его кадр отмечен в программе.',
     pick: 'Щёлкните по линии, чтобы найти её кадр.',
     dismiss: 'Понятно',

@@ -5,7 +5,7 @@
 import type { Language } from '../dom/language';
 import type { LengthUnit } from '../protocol/protocol';
 
-const MM_PER_UNIT: Readonly<Record<LengthUnit, number>> = { mm: 1, inch: 25.4 };
+export const MM_PER_UNIT: Readonly<Record<LengthUnit, number>> = { mm: 1, inch: 25.4 };
 /** Decimals of the smallest increment of a program, and of common measuring tools. */
 const DECIMALS: Readonly<Record<LengthUnit, number>> = { mm: 3, inch: 4 };
 const SYMBOLS: Readonly<Record<LengthUnit, Readonly<Record<Language, string>>>> = {

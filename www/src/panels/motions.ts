@@ -1,4 +1,4 @@
-// The button "Motions" and its table: all motions as text, the accessible form of the drawing.
+// The item "Motions" of the menu "More" and its table: all motions as text, the accessible form of the drawing.
 //
 // In: motions as text, one page at a time, an explanation of the block of a motion, and the tool position. Out: the
 // motion to move the tool to. The table stays open while the program is played or edited, and its marked row follows
@@ -7,6 +7,7 @@
 
 import { make, setAccessibleName, setText, renderUnbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
 import type { Help, Readout, Stroke } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
@@ -23,12 +24,7 @@ class MotionsPanel implements Panel {
   readonly #shell: Shell;
   readonly #question: NewestQuestion<'strokes'>;
   readonly #explanation: NewestQuestion<'help'>;
-  readonly #button = make('button', {
-    type: 'button',
-    className: 'motions-button quiet outlined',
-    'aria-haspopup': 'dialog',
-    'aria-expanded': 'false',
-  });
+  readonly #button = menuItem({ 'aria-haspopup': 'dialog' });
   readonly #title = make('h2');
   readonly #close = make('button', { type: 'button', className: 'quiet close' }, '×');
   readonly #keys = make('p', { className: 'keys', id: 'motions-keys' });
@@ -68,9 +64,11 @@ class MotionsPanel implements Panel {
   #focusPending = false;
   /** The element that had the focus when the row was to be focused. */
   #focusBefore: Element | null = null;
+  /** The element that had the focus when the table was opened. */
+  #opener: Element | null = null;
   /** Describes the drawing to screen readers: says where its text is. */
   readonly #description = make('span', { id: 'motions-about', hidden: true });
-  readonly elements = { foot: [this.#button], dialogs: [this.#element, this.#description] };
+  readonly elements = { 'more-menu': [this.#button], dialogs: [this.#element, this.#description] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -133,23 +131,22 @@ class MotionsPanel implements Panel {
     if (this.#isOpen) this.#follow();
   }
 
-  /** Opening moves the focus to the table, closing to the button. */
+  /** Opening moves the focus to the table, closing to where it was. */
   #toggle(): void {
     if (this.#isOpen) return this.#closeTable();
     this.#shell.flush();
+    this.#opener = this.#shell.root.activeElement;
     this.#element.showPopover();
-    this.#button.setAttribute('aria-expanded', 'true');
     this.#focusRowWhenRendered();
     this.#follow();
   }
 
   #closeTable(): void {
     this.#element.hidePopover();
-    this.#button.setAttribute('aria-expanded', 'false');
     this.#rows = [];
     this.#body.replaceChildren();
     this.#renderedKey = '';
-    this.#button.focus();
+    if (this.#opener instanceof HTMLElement) this.#opener.focus();
   }
 
   #handleKey(event: KeyboardEvent): void {
@@ -261,7 +258,7 @@ const WORDS = words({
   en: {
     motions: 'Motions',
     about: 'All motions in words; the row of the tool is marked',
-    described: 'Its motions in words: button Motions',
+    described: 'Its motions in words: menu More, Motions',
     title: 'Motions in words',
     keys: 'Arrow keys move the tool.',
     number: 'No.',
@@ -273,7 +270,7 @@ const WORDS = words({
   zh: {
     motions: '动作',
     about: '用文字列出所有动作，并标出刀具所在的一行',
-    described: '动作的文字说明：“动作”按钮',
+    described: '动作的文字说明：“更多”菜单中的“动作”',
     title: '动作的文字说明',
     keys: '用方向键移动刀具。',
     number: '序号',
@@ -285,7 +282,7 @@ const WORDS = words({
   ru: {
     motions: 'Перемещения',
     about: 'Все перемещения словами; строка инструмента отмечена',
-    described: 'Перемещения словами: кнопка «Перемещения»',
+    described: 'Перемещения словами: меню «Ещё», «Перемещения»',
     title: 'Перемещения словами',
     keys: 'Стрелки передвигают инструмент.',
     number: '№',

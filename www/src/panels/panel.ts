@@ -30,10 +30,12 @@ import type {
 import type { CoreEvent } from '../worker/core-client';
 
 /**
- * Where panels are placed, in this order: the tabs of a narrow element; over, beside and under the editor; between the
- * editor and the pictures; around the pictures; in the line at the bottom; dialogs.
+ * Where panels are placed, in this order: the row at the top, with menus; the tabs of a narrow element; over, beside
+ * and under the editor; between the editor and the pictures; around the pictures; dialogs. Then what is shown on
+ * demand: the menus of the row at the top, how the program is read, and the options of the playback.
  */
 export const REGIONS = [
+  'head',
   'tabs',
   'notices',
   'bar',
@@ -43,8 +45,13 @@ export const REGIONS = [
   'assumptions',
   'pictures',
   'playback',
-  'foot',
   'dialogs',
+  'program-menu',
+  'share-menu',
+  'help-menu',
+  'more-menu',
+  'reading',
+  'pace',
 ] as const;
 export type Region = (typeof REGIONS)[number];
 
@@ -63,6 +70,15 @@ export interface PanelKind {
   make(shell: Shell): Panel;
 }
 
+/** Something that the user can do, as the command palette lists it. */
+export interface UserCommand {
+  /** In the language of the element. */
+  readonly name: string;
+  /** The keys for it, if it has any. */
+  readonly keys?: string;
+  run(): void;
+}
+
 export interface Panel {
   /** The elements of this panel, by region. */
   readonly elements: { readonly [R in Region]?: readonly HTMLElement[] };
@@ -73,6 +89,8 @@ export interface Panel {
   /** Whether an open dialog of this panel receives all keys. */
   readonly capturesKeys?: boolean;
   readonly services?: Partial<Services>;
+  /** What the user can do with this panel, besides the items of menus. */
+  readonly commands?: readonly UserCommand[];
 
   /** A key that no dialog handles. Returns whether the panel handled it. */
   onKey?(key: Key): 'handled' | 'ignored';
@@ -86,8 +104,8 @@ export interface Panel {
   onTrialChanged?(): void;
   /** The tool has moved; undefined: no tool is shown. */
   onToolMoved?(place: Readout | undefined): void;
-  /** Another program has replaced the current one. */
-  onProgramReplaced?(): void;
+  /** Another program has replaced the current one: the host page has set it, or the user has typed or opened it. */
+  onProgramReplaced?(by: 'host' | 'user'): void;
   /** Text was inserted into the editor in one piece (not typed), between these offsets. */
   onTextInserted?(from: number, to: number): void;
   /** Show the program: it is about to get the focus. */
@@ -180,6 +198,8 @@ export interface Services {
   /** Ends the comparison that `keepPart` began, but not one that the user began. */
   endComparison(): void;
   openCodes(): void;
+  /** Opens the explanation of the word and the block at the cursor. */
+  explain(): void;
   /** `group` and `key`: the group and the field to open. */
   openSetup(group?: SetupGroup['group'], key?: string): void;
   /** The button that opens the outline of the program. */

@@ -4,8 +4,8 @@
 // In: a text that was pasted, dropped or opened. Out: questions to the interpreter; an edit if the user takes a
 // program. The text itself is already in the editor, so nothing is lost. Must not know: how programs are found.
 
-import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { menuItem } from '../dom/menu';
 import { words } from '../dom/words';
 import { loadPart } from './load-part';
 import type { Panel, PanelKind, Shell } from './panel';
@@ -29,17 +29,13 @@ export const paste: PanelKind = {
 
 class Paste implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', {
-    type: 'button',
-    className: 'paste-button quiet outlined',
-    'aria-haspopup': 'dialog',
-  });
+  readonly #button = menuItem({ 'aria-haspopup': 'dialog' });
   /** Loaded when a text with programs is first found. */
   #dialog: PasteDialog | undefined;
   /** Range of the text that was searched. */
   #range: { readonly from: number; readonly to: number } | undefined;
 
-  readonly elements = { foot: [this.#button] };
+  readonly elements = { 'program-menu': [this.#button] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -48,8 +44,7 @@ class Paste implements Panel {
 
   set language(language: Language) {
     const texts = WORDS[language];
-    this.#button.textContent = texts.button;
-    this.#button.setAttribute('aria-label', texts.buttonName);
+    this.#button.textContent = texts.buttonName;
     this.#button.title = texts.buttonHint;
     if (this.#dialog !== undefined) this.#dialog.language = language;
   }
@@ -117,7 +112,6 @@ class Paste implements Panel {
 
 const WORDS = words({
   en: {
-    button: 'Programs…',
     /** Accessible name, with the context that the page shows. */
     buttonName: 'Programs in a text…',
     buttonHint: 'Finds the programs in the text of the editor, such as a page of a book or a forum, and cleans them',
@@ -128,7 +122,6 @@ const WORDS = words({
     applied: 'The program replaced the text. Undo restores the text.',
   },
   zh: {
-    button: '程序…',
     buttonName: '文本中的程序…',
     buttonHint: '在编辑器的文本（如书页、论坛帖子）中查找程序并清理',
     none: '文本中没有找到程序。',
@@ -138,7 +131,6 @@ const WORDS = words({
     applied: '程序已替换文本。可用撤销恢复。',
   },
   ru: {
-    button: 'Программы…',
     buttonName: 'Программы в тексте…',
     buttonHint: 'Находит программы в тексте редактора (страница учебника, форум) и очищает их',
     none: 'Программ в этом тексте не найдено.',

@@ -1,5 +1,5 @@
-// The pictures: the section and, beside it, the end face and the side. The legend and the buttons to fit and zoom are
-// in the playback bar.
+// The pictures: the section and, beside it, the end face and the side. The buttons to fit and zoom are in the row over
+// the drawing or, in an element without the program, in the playback row.
 //
 // In: images, strokes and dimensions, as the worker answers. Out: the view of each picture, and the stroke that the
 // user chooses. Must not know: how a stroke is found, or its meaning.
@@ -21,6 +21,7 @@ import {
 import type { CoreEvent } from '../worker/core-client';
 import { dimensionText } from './dimension';
 import { Drawing, type DrawingEvents } from './drawing';
+import { formatLength } from './lengths';
 import type { ClientPoint, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
 import picturesStyles from './pictures.css?inline';
 
@@ -86,8 +87,8 @@ class Pictures implements Panel {
     for (const picture of PICTURES) this.#drawings[picture].element.style.setProperty('--picture', picture);
     section.element.append(this.#oldNote);
     this.elements = {
-      pictures: [section.element, face.element, side.element],
-      playback: [section.legend, section.viewButtons],
+      [shell.showsProgram ? 'views' : 'playback']: [section.viewButtons],
+      pictures: [section.element, face.element, side.element, section.legend],
     };
   }
 
@@ -108,6 +109,9 @@ class Pictures implements Panel {
     if (event.kind !== 'report') return;
     this.#drawings.section.summary = event.report.summary;
     this.#unit = event.report.units.shown;
+    const [x, z] = event.report.overview.start ?? [];
+    this.#drawings.section.start =
+      x === undefined || z === undefined ? '' : `X${formatLength(x, this.#unit)} Z${formatLength(z, this.#unit)}`;
     for (const drawing of Object.values(this.#drawings)) drawing.repeatHitTest();
   }
 

@@ -4,8 +4,9 @@
 // is in is marked in the text. While it plays, each painted frame asks how far the tool has moved; while it is paused,
 // nothing runs. Must not know: how the path is drawn, or the meaning of a stroke.
 
-import { icon, make, setAccessibleName, renderUnbroken } from '../dom/dom';
+import { icon, make, setAccessibleName, setText, renderUnbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { placePopover, returnFocus } from '../dom/popover';
 import { COMMON, words } from '../dom/words';
 import type {
   HeldBy,
@@ -19,7 +20,7 @@ import type {
   StopSwitch,
 } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
-import type { Key, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
+import type { Key, NewestQuestion, Panel, PanelKind, Services, Shell, UserCommand } from './panel';
 import { formatCoordinate } from './lengths';
 import playbackStyles from './playback.css?inline';
 import { ReadoutBoard } from './readout';
@@ -71,7 +72,19 @@ class Playback implements Panel {
     'M01',
   );
   readonly #singleBlockToggle = make('button', { type: 'button', className: 'level single', 'aria-pressed': 'false' });
-  readonly #status = make('p', { className: 'doing', part: 'doing', 'aria-live': 'polite' });
+  readonly #speedCaption = make('span');
+  readonly #unitCaption = make('span');
+  readonly #paceText = make('span');
+  readonly #paceButton = make(
+    'button',
+    { type: 'button', className: 'pace-button', 'aria-haspopup': 'dialog', 'aria-expanded': 'false' },
+    this.#paceText,
+    icon('chevron'),
+  );
+  readonly #options: HTMLElement;
+  /** What the tool does, over the picture; hidden while there is no tool. */
+  readonly #overPicture: HTMLElement;
+  readonly #status = make('p', { className: 'doing', 'aria-live': 'polite' });
   readonly #readout: ReadoutBoard;
   readonly #wholeProgramOptions = WHOLE_PROGRAM_S.map((seconds) => make('option', { value: `whole ${seconds}` }));
   /** Start of the block that is marked as running. */
@@ -118,29 +131,42 @@ class Playback implements Panel {
       ...SPEED_FACTORS.map((speed) => make('option', { value: `times ${speed}` }, `${speed}×`)),
     );
     this.#stepUnit.append(...STEP_UNITS.map((unit) => make('option', { value: unit })));
-    this.elements = {
-      playback: [
-        make('div', { className: 'buttons' }, this.#previousButton, this.#play, this.#nextButton, this.#fromCursor),
-        this.#stepUnit,
-        this.#slider,
-        make(
-          'div',
-          { className: 'place' },
-          this.#singleBlockToggle,
-          this.#optionalStopToggle,
-          this.#speed,
-          this.#wholePath,
-        ),
-        this.#readout.element,
-        this.#status,
-      ],
-    };
+    const options = make(
+      'div',
+      { className: 'popover pace', part: 'pace', role: 'dialog', popover: 'auto' },
+      make('label', { className: 'choice-line' }, this.#speedCaption, this.#speed),
+      make('label', { className: 'choice-line' }, this.#unitCaption, this.#stepUnit),
+      make('div', { className: 'choice-line' }, this.#singleBlockToggle, this.#optionalStopToggle),
+      make('div', { className: 'choice-line' }, this.#fromCursor),
+    );
+    this.#options = options;
+    this.#paceButton.popoverTargetElement = options;
+    returnFocus(this.#paceButton, options);
+    options.addEventListener('toggle', (event) => {
+      const open = event.newState === 'open';
+      this.#paceButton.setAttribute('aria-expanded', String(open));
+      if (open) placePopover(this.#paceButton, options);
+    });
+    const bar = [this.#previousButton, this.#play, this.#nextButton, this.#slider, this.#paceButton];
+    const overPicture = make(
+      'div',
+      { className: 'over-picture', part: 'doing' },
+      this.#readout.element,
+      this.#status,
+      this.#wholePath,
+    );
+    this.#overPicture = overPicture;
+    this.elements = { playback: bar, pictures: [overPicture], dialogs: [options] };
     this.#play.addEventListener('click', () => this.#togglePlayback());
     this.#fromCursor.hidden = !shell.showsProgram;
-    this.#fromCursor.addEventListener('click', () => this.#playFromHere({}));
+    this.#fromCursor.addEventListener('click', () => {
+      options.hidePopover();
+      this.#playFromHere({});
+    });
     this.#previousButton.addEventListener('click', () => this.#stepTool(this.#chosenUnit, 'previous'));
     this.#nextButton.addEventListener('click', () => this.#stepTool(this.#chosenUnit, 'next'));
     this.#stepUnit.addEventListener('change', () => this.#nameStepButtons());
+    this.#speed.addEventListener('change', () => this.#showPace());
     this.#wholePath.addEventListener('click', () => this.#showWholePath());
     this.#slider.addEventListener('input', () => this.#scrub());
     this.#optionalStopToggle.addEventListener('click', () => {
@@ -152,15 +178,34 @@ class Playback implements Panel {
     this.#showPlace(undefined);
   }
 
+  get commands(): readonly UserCommand[] {
+    const texts = this.#words;
+    const step = (unit: StepUnit, keys: string): readonly UserCommand[] => [
+      { name: texts.next[unit], keys, run: () => this.#stepTool(unit, 'next') },
+      { name: texts.previous[unit], keys: `Shift ${keys}`, run: () => this.#stepTool(unit, 'previous') },
+    ];
+    return [
+      { name: this.#playing ? texts.pause : texts.play, keys: 'Ctrl Enter', run: () => this.#togglePlayback() },
+      { name: texts.fromHere, keys: 'Ctrl Shift Enter', run: () => this.#playFromHere({}) },
+      ...step('motion', 'F9'),
+      ...step('block', 'Ctrl F9'),
+      ...step('pass', 'Alt F9'),
+      { name: texts.wholePath, run: () => this.#showWholePath() },
+    ];
+  }
+
   set language(language: Language) {
     const texts = WORDS[language];
     this.#row.setAttribute('aria-label', texts.playback);
     for (const [i, option] of this.#wholeProgramOptions.entries())
       option.textContent = texts.wholeIn(WHOLE_PROGRAM_S[i] ?? 0);
     for (const option of this.#stepUnit.options) option.textContent = texts.units[option.value as StepUnit];
-    this.#stepUnit.setAttribute('aria-label', texts.stepBy);
-    this.#stepUnit.title = texts.stepBy;
-    setAccessibleName(this.#fromCursor, `${texts.fromHere} (Ctrl Shift Enter)`);
+    this.#unitCaption.textContent = texts.stepBy;
+    this.#speedCaption.textContent = texts.speed;
+    this.#options.setAttribute('aria-label', texts.options);
+    this.#paceButton.title = texts.options;
+    this.#fromCursor.replaceChildren(icon('from-here'), texts.fromHere);
+    this.#fromCursor.title = `${texts.fromHere} (Ctrl Shift Enter)`;
     setAccessibleName(this.#optionalStopToggle, `M01: ${texts.optionalStops}`);
     this.#optionalStopToggle.title = texts.optionalStopsHint;
     this.#singleBlockToggle.textContent = texts.single;
@@ -168,8 +213,7 @@ class Playback implements Panel {
     this.#singleBlockToggle.title = texts.singleHint;
     setAccessibleName(this.#wholePath, texts.wholePath);
     this.#slider.setAttribute('aria-label', texts.position);
-    this.#speed.setAttribute('aria-label', texts.speed);
-    this.#speed.title = texts.speed;
+    this.#showPace();
     this.#readout.language = language;
     this.#nameStepButtons();
     this.#showState();
@@ -267,8 +311,7 @@ class Playback implements Panel {
     // While the user drags the slider, an answer to an earlier position must not move it.
     if (!this.#slider.matches(':active')) this.#slider.value = String(place?.share ?? 0);
     this.#readout.shown = place;
-    // Hidden but not removed: otherwise the drawing would jump with the first step.
-    this.#wholePath.classList.toggle('not-yet', place === undefined);
+    this.#overPicture.hidden = place === undefined;
     this.#showStatus();
     // During playback the announcements would never end.
     if (this.#playing) return;
@@ -281,6 +324,11 @@ class Playback implements Panel {
             formatCoordinate(stroke.atZ, this.#lengthUnit),
           );
     this.#slider.setAttribute('aria-valuetext', spoken);
+  }
+
+  #showPace(): void {
+    setText(this.#paceText, this.#speed.selectedOptions[0]?.textContent ?? '');
+    this.#paceButton.setAttribute('aria-label', `${this.#words.options}: ${this.#paceText.textContent}`);
   }
 
   get #playing(): boolean {
@@ -482,6 +530,7 @@ class Playback implements Panel {
 const WORDS = words({
   en: {
     playback: 'Playback',
+    options: 'Speed and steps',
     play: 'Play',
     pause: 'Pause',
     wholePath: 'Show the whole path',
@@ -506,6 +555,7 @@ const WORDS = words({
   },
   zh: {
     playback: '播放',
+    options: '速度与步进',
     play: '播放',
     pause: '暂停',
     wholePath: '显示完整轨迹',
@@ -530,6 +580,7 @@ const WORDS = words({
   },
   ru: {
     playback: 'Воспроизведение',
+    options: 'Скорость и шаг',
     play: 'Пуск',
     pause: 'Пауза',
     wholePath: 'Показать всю траекторию',

@@ -6,6 +6,7 @@
 
 import { icon, make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { menuItem } from '../dom/menu';
 import { words } from '../dom/words';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import presentationStyles from './presentation.css?inline';
@@ -23,15 +24,13 @@ class Presentation implements Panel {
   readonly #shell: Shell;
   readonly #host: HTMLElement;
   readonly #picturePart: HTMLElement;
-  readonly #fullScreen = make('button', { type: 'button', className: 'level whole-screen' }, icon('screen'));
-  readonly #presentButton = make('button', {
-    type: 'button',
-    className: 'quiet outlined present-button',
-    'aria-pressed': 'false',
-  });
+  readonly #fullScreen = make('button', { type: 'button', className: 'whole-screen' }, icon('screen'));
+  readonly #presentButton = menuItem();
   /** Font size of the page before the presentation; undefined if there is none now. */
   #fontSizeBefore: string | undefined;
-  readonly elements = { views: [this.#fullScreen], foot: [this.#presentButton] };
+  /** Visible while presenting. */
+  readonly #endButton = make('button', { type: 'button', className: 'end-presentation', hidden: true }, icon('whole'));
+  readonly elements = { views: [this.#fullScreen], playback: [this.#endButton], 'more-menu': [this.#presentButton] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -42,7 +41,8 @@ class Presentation implements Panel {
     // Without full-screen support, the button would do nothing.
     this.#fullScreen.hidden = !document.fullscreenEnabled;
     this.#fullScreen.addEventListener('click', () => void this.#toggleFullScreen());
-    this.#presentButton.addEventListener('click', () => this.#toggle());
+    this.#presentButton.addEventListener('click', () => this.#begin());
+    this.#endButton.addEventListener('click', () => this.#end());
     document.addEventListener('fullscreenchange', this.#onFullScreenChanged);
   }
 
@@ -73,12 +73,8 @@ class Presentation implements Panel {
     return this.#fontSizeBefore !== undefined;
   }
 
-  #toggle(): void {
-    if (this.#isPresenting) this.#end();
-    else this.#begin();
-  }
-
   #begin(): void {
+    if (this.#isPresenting) return;
     const { style } = document.documentElement;
     this.#fontSizeBefore = style.fontSize;
     style.fontSize = FONT_SCALE;
@@ -87,7 +83,7 @@ class Presentation implements Panel {
     // If full screen is refused, the element fills the window.
     this.#host.requestFullscreen?.().catch(() => undefined);
     this.#updateNames();
-    this.#presentButton.focus();
+    this.#endButton.focus();
   }
 
   #end(): void {
@@ -112,8 +108,9 @@ class Presentation implements Panel {
 
   #updateNames(): void {
     const texts = WORDS[this.#shell.language];
-    this.#presentButton.setAttribute('aria-pressed', String(this.#isPresenting));
-    this.#presentButton.textContent = this.#isPresenting ? texts.end : texts.present;
+    this.#presentButton.textContent = texts.present;
+    this.#endButton.hidden = !this.#isPresenting;
+    setAccessibleName(this.#endButton, texts.end);
     this.#presentButton.title = texts.presentHint;
     setAccessibleName(this.#fullScreen, document.fullscreenElement === null ? texts.whole : texts.window);
   }

@@ -8,6 +8,9 @@ import { words } from '../dom/words';
 import type { Diagnostic } from '../protocol/protocol';
 import { countsByRule, SEVERITIES, type Order, type Severity, type ProblemFilter } from './problem-groups';
 
+/** A shorter list needs no filters. */
+const MIN_PROBLEMS_FOR_FILTERS = 10;
+
 interface Toggle {
   readonly button: HTMLButtonElement;
   readonly count: HTMLElement;
@@ -78,7 +81,9 @@ export class ProblemsView {
     if (this.#chosenRule !== undefined && !rules.has(this.#chosenRule)) this.#chosenRule = undefined;
     this.#order.hidden = rules.size < 2;
     this.#rule.hidden = rules.size < 2;
-    this.element.hidden = offered.length === 0 && rules.size < 2;
+    const isFiltered = this.#hiddenSeverities.size > 0 || this.#chosenRule !== undefined;
+    const isLong = diagnostics.length >= MIN_PROBLEMS_FOR_FILTERS;
+    this.element.hidden = !(isLong || isFiltered) || (offered.length === 0 && rules.size < 2);
     this.#renderOptions(language, rules);
   }
 

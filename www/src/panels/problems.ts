@@ -6,13 +6,14 @@
 
 import { setChildren, icon, make, setAccessibleName, renderProse, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
 import { PROBLEM_WORDS } from '../editor/problem-words';
 import { ruleLink } from '../editor/rule-link';
 import type { Diagnostic, Fix } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
-import type { Key, Panel, PanelKind, Shell } from './panel';
-import { groupProblems, type Group } from './problem-groups';
+import type { Key, Panel, PanelKind, Shell, UserCommand } from './panel';
+import { groupProblems, SEVERITIES, type Group } from './problem-groups';
 import { ProblemsView } from './problems-view';
 import { countSafeFixes, safeEdits } from './safe-fixes';
 import problemsStyles from './problems.css?inline';
@@ -36,9 +37,17 @@ interface Row {
 
 class Problems implements Panel {
   readonly #shell: Shell;
-  readonly #toggle = make('button', { type: 'button', className: 'problems-toggle', 'aria-expanded': 'true' });
+  /** "2 errors, 1 warning" over the program; opens and closes the list. */
+  readonly #toggle = make('button', {
+    type: 'button',
+    className: 'problems-toggle',
+    'aria-expanded': 'false',
+    'aria-controls': 'problems',
+  });
+  readonly #counts = make('span', { className: 'problem-counts' });
   readonly #fixSafe = make('button', { type: 'button', className: 'fix fix-safe' });
-  readonly #title = make('span', { id: 'problems-name' });
+  readonly #title = make('h2', { id: 'problems-name' });
+  readonly #close = make('button', { type: 'button', className: 'close' }, icon('whole'));
   readonly #count = make('span', { className: 'count' });
   readonly #filterRow = new ProblemsView(() => this.#render());
   readonly #more = make('li', { className: 'more' });
@@ -53,20 +62,28 @@ class Problems implements Panel {
   readonly #element = make(
     // The caption distinguishes the name from that of another element on the page.
     'section',
-    { className: 'problems', part: 'problems', 'aria-labelledby': 'problems-name caption' },
-    make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe),
+    { className: 'problems', id: 'problems', part: 'problems', 'aria-labelledby': 'problems-name caption' },
+    make('div', { className: 'problems-head' }, this.#title, this.#count, this.#fixSafe, this.#close),
     this.#body,
   );
   #diagnostics: readonly Diagnostic[] = [];
+  /** Whether the problems of the program are known: not before the first report, and not after a run that failed. */
+  #isKnown = false;
   #rulesOff: readonly string[] = [];
   #shownRulesOff = '';
-  readonly elements = { problems: [this.#element] };
+  #shownCounts = '';
+  /** Whether to open the list with the next report: the program is new. Typing never opens it. */
+  #opensWithReport = true;
+  readonly elements = { bar: [this.#toggle], problems: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#toggle.append(icon('chevron'), this.#title, this.#count);
-    this.#toggle.setAttribute('aria-controls', this.#list.id);
-    this.#toggle.addEventListener('click', () => this.#setOpen(this.#body.hidden === true));
+    this.#toggle.append(this.#counts);
+    this.#toggle.addEventListener('click', () => this.#setOpen(!this.#isOpen));
+    this.#close.addEventListener('click', () => {
+      this.#setOpen(false);
+      this.#toggle.focus();
+    });
     this.#fixSafe.addEventListener('click', () => this.#applyEdits(safeEdits(this.#diagnostics)));
     this.#element.addEventListener('mousedown', (event) => {
       // The first click of a double click can remove its button; the second must not focus the button that takes its
@@ -76,15 +93,41 @@ class Problems implements Panel {
     });
   }
 
+  get commands(): readonly UserCommand[] {
+    const texts = WORDS[this.#shell.language];
+    return [
+      { name: texts.problems, run: () => this.#setOpen(!this.#isOpen) },
+      { name: texts.nextProblem, keys: 'F8', run: () => this.#shell.editor.nextProblem('next') },
+      { name: texts.previousProblem, keys: 'Shift F8', run: () => this.#shell.editor.nextProblem('previous') },
+    ];
+  }
+
   set language(_: Language) {
     this.#render();
   }
 
   onEvent(event: CoreEvent): void {
-    if (event.kind === 'report') this.#setProblems(event.report.diagnostics, event.report.rulesOff);
+    if (event.kind !== 'report') return;
+    this.#isKnown = true;
+    this.#setProblems(event.report.diagnostics, event.report.rulesOff);
+    const { stage } = event.report;
+    if (!this.#opensWithReport || stage === 'repeated') return;
+    const isFaulty = this.#diagnostics.some(({ severity }) => severity !== 'info');
+    if (isFaulty && !this.#isOpen) this.#setOpen(true);
+    // The part, which is reported later, can have collisions.
+    this.#opensWithReport = stage === 'path' && !isFaulty;
+  }
+
+  onProgramReplaced(by: 'host' | 'user'): void {
+    if (by === 'host') this.#opensWithReport = true;
+  }
+
+  onTextInserted(): void {
+    this.#opensWithReport = true;
   }
 
   onRunFailed(): void {
+    this.#isKnown = false;
     this.#setProblems([], []);
   }
 
@@ -123,15 +166,43 @@ class Problems implements Panel {
     this.#toggle.focus();
   }
 
+  get #isOpen(): boolean {
+    return this.#element.classList.contains('open');
+  }
+
   #setOpen(open: boolean): void {
-    this.#body.hidden = !open;
+    this.#element.classList.toggle('open', open);
     this.#toggle.setAttribute('aria-expanded', String(open));
+    this.#shell.editor.scrollToCursor();
+  }
+
+  #renderCounts(): void {
+    this.#toggle.hidden = !this.#isKnown;
+    const strings = WORDS[this.#shell.language];
+    const counts = SEVERITIES.map(
+      (severity) => [severity, this.#diagnostics.filter((found) => found.severity === severity).length] as const,
+    ).filter(([, count]) => count > 0);
+    const key = JSON.stringify([this.#shell.language, counts]);
+    if (key === this.#shownCounts) return;
+    this.#shownCounts = key;
+    this.#counts.replaceChildren(
+      ...(counts.length === 0
+        ? [`✓ ${strings.noProblems}`]
+        : counts.map(([severity, count]) => make('span', { className: severity }, icon(severity), String(count)))),
+    );
+    const spoken = counts.map(([severity, count]) => strings.count[severity](count)).join(', ');
+    const text = counts.length === 0 ? strings.noProblems : strings.problemsOf(spoken);
+    setAccessibleName(this.#toggle, text);
+    this.#toggle.disabled = counts.length === 0 && this.#rulesOff.length === 0;
   }
 
   #render(): void {
     const strings = WORDS[this.#shell.language];
     const count = this.#diagnostics.length;
     this.#element.hidden = count === 0 && this.#rulesOff.length === 0;
+    if (this.#element.hidden && this.#isOpen) this.#setOpen(false);
+    this.#renderCounts();
+    setAccessibleName(this.#close, COMMON[this.#shell.language].close);
     setText(this.#title, strings.problems);
     const safe = countSafeFixes(this.#diagnostics);
     this.#fixSafe.hidden = safe === 0;
@@ -308,6 +379,15 @@ function keyOf([{ severity, code, slug }]: Group): string {
 const WORDS = words({
   en: {
     problems: 'Problems',
+    nextProblem: 'Next problem',
+    previousProblem: 'Previous problem',
+    problemsOf: (counts: string) => `Problems: ${counts}`,
+    noProblems: 'no problems',
+    count: {
+      error: counter('en', { one: 'error', other: 'errors' }),
+      warning: counter('en', { one: 'warning', other: 'warnings' }),
+      info: counter('en', { one: 'note', other: 'notes' }),
+    },
     someOf: (seen: number, all: number) => `${seen} of ${all}`,
     moreProblems: (n: number) => `… and ${n} more`,
     /** Hides all messages of a rule while this setup is used. */
@@ -326,6 +406,11 @@ const WORDS = words({
   },
   zh: {
     problems: '问题',
+    nextProblem: '下一个问题',
+    previousProblem: '上一个问题',
+    problemsOf: (counts) => `问题：${counts}`,
+    noProblems: '没有问题',
+    count: { error: (n) => `${n} 个错误`, warning: (n) => `${n} 个警告`, info: (n) => `${n} 条提示` },
     someOf: (seen, all) => `${seen} / ${all}`,
     moreProblems: (n) => `……还有 ${n} 个`,
     hideRule: (slug) => `此处不再显示这条规则：${slug}`,
@@ -341,6 +426,15 @@ const WORDS = words({
   },
   ru: {
     problems: 'Замечания',
+    nextProblem: 'Следующее замечание',
+    previousProblem: 'Предыдущее замечание',
+    problemsOf: (counts) => `Замечания: ${counts}`,
+    noProblems: 'замечаний нет',
+    count: {
+      error: (n) => `ошибок: ${n}`,
+      warning: (n) => `предупреждений: ${n}`,
+      info: (n) => `пояснений: ${n}`,
+    },
     someOf: (seen, all) => `${seen} из ${all}`,
     moreProblems: (n) => `… и ещё ${n}`,
     hideRule: (slug) => `Не показывать здесь это правило: ${slug}`,

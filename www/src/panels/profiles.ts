@@ -23,7 +23,7 @@ export const profiles: PanelKind = {
 
 class Profiles implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'machine quiet', 'aria-haspopup': 'dialog' });
+  readonly #button = make('button', { type: 'button', className: 'framed', 'aria-haspopup': 'dialog' });
   /** Loaded when it is first opened. */
   #dialog: ProfilesDialog | undefined;
   /** Name of the chosen machine if the program runs on it. */
@@ -106,7 +106,6 @@ class Profiles implements Panel {
     this.#shell.changeSetup(setup === '' ? null : setup);
     this.#shell.service('notice')(WORDS[this.#shell.language].applied(name), 'program-setup');
     void this.#compareMachines();
-    this.#button.focus();
   }
 }
 

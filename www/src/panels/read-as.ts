@@ -1,45 +1,73 @@
-// The line that says how the program was read, and for which machine. Each fact that a setting determines is a link to
-// its field in the setup form.
+// The chip over the program that says how it was read: control, unit, feed. Its popover says for which machine, and has
+// the switches of the operator's panel. Each fact that a setting determines is a link to its field in the setup form.
 //
 // In: the facts of the newest run, as text. Out: the field to open. Must not know: the meaning of a fact.
 
-import { make } from '../dom/dom';
+import { icon, make } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { placePopover, returnFocus } from '../dom/popover';
 import { words } from '../dom/words';
 import type { ReadAs, ReadFact } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
 import type { Panel, PanelKind, Shell } from './panel';
 import readAsStyles from './read-as.css?inline';
 
-export const readAs: PanelKind = { control: 'setup', styles: readAsStyles, make: (shell) => new ReadAsLine(shell) };
+export const readAs: PanelKind = { control: 'setup', styles: readAsStyles, make: (shell) => new ReadAsChip(shell) };
 
 /** The field that is opened by "change". */
 const FIRST_FIELD = 'dialect.control';
 
-class ReadAsLine implements Panel {
+class ReadAsChip implements Panel {
   readonly #shell: Shell;
-  readonly #facts = make('span', { className: 'facts-read' });
-  readonly #change = make('button', { type: 'button', className: 'change quiet' });
-  readonly #element = make('div', { className: 'read-as', part: 'read-as', role: 'group' }, this.#facts, this.#change);
+  readonly #summary = make('span', { className: 'chip-text' });
+  readonly #chip = make(
+    'button',
+    { type: 'button', className: 'chip', part: 'read-as', 'aria-haspopup': 'dialog', 'aria-expanded': 'false' },
+    this.#summary,
+    icon('chevron'),
+  );
+  readonly #facts = make('p', { className: 'facts-read' });
+  readonly #change = make('button', { type: 'button', className: 'framed' });
+  readonly #actions = make('div', { className: 'actions' }, this.#change);
+  readonly #popover: HTMLElement;
   #hasMachine = false;
   #read: ReadAs | undefined;
   #isReading = true;
   /** The rendered facts as text: an unchanged line is not rebuilt, so that a fact keeps the focus. */
   #renderedKey = '';
-  readonly elements = { bar: [this.#element] };
+  readonly elements: Panel['elements'];
 
   constructor(shell: Shell) {
     this.#shell = shell;
+    this.#popover = make(
+      'div',
+      { className: 'popover reading', part: 'reading', role: 'dialog', popover: 'auto' },
+      this.#facts,
+      shell.region('reading'),
+      this.#actions,
+    );
+    this.#chip.popoverTargetElement = this.#popover;
+    returnFocus(this.#chip, this.#popover);
+    this.#popover.addEventListener('toggle', (event) => {
+      const open = event.newState === 'open';
+      this.#chip.setAttribute('aria-expanded', String(open));
+      if (open) placePopover(this.#chip, this.#popover);
+    });
     this.#change.addEventListener('click', () => this.#openField(this.#read?.facts[0]?.key ?? FIRST_FIELD));
+    this.elements = { bar: [this.#chip], dialogs: [this.#popover] };
   }
 
   set language(language: Language) {
     const texts = WORDS[language];
-    this.#element.setAttribute('aria-label', texts.name);
+    this.#popover.setAttribute('aria-label', texts.name);
+    this.#chip.title = texts.name;
     this.#change.textContent = texts.change;
-    this.#change.setAttribute('aria-label', texts.changeName);
     // The language is first set after all panels are made, so the services of other panels exist.
-    if (!this.#hasMachine) this.#element.append(this.#shell.service('machineButton')());
+    if (!this.#hasMachine) {
+      const machine = this.#shell.service('machineButton')();
+      machine.addEventListener('click', () => this.#close());
+      this.#actions.append(machine);
+    }
     this.#hasMachine = true;
     this.#render();
   }
@@ -70,6 +98,9 @@ class ReadAsLine implements Panel {
     this.#renderedKey = shown;
     const list = facts.flatMap((fact, at) => [at === 0 ? ' ' : texts.comma, this.#renderFact(fact)]);
     this.#facts.replaceChildren(facts.length === 0 ? placeholder : texts.readAs, ...list);
+    const summary = facts.length === 0 ? placeholder : facts.map(({ text }) => text).join(' · ');
+    this.#summary.textContent = summary;
+    this.#chip.setAttribute('aria-label', `${texts.name}: ${summary}`);
   }
 
   #renderFact({ key, text, basis }: ReadFact): HTMLElement {
@@ -82,7 +113,14 @@ class ReadAsLine implements Panel {
     return button;
   }
 
+  /** The dialog that is opened next returns the focus to the chip. */
+  #close(): void {
+    this.#popover.hidePopover();
+    this.#chip.focus();
+  }
+
   #openField(key: string): void {
+    this.#close();
     this.#shell.service('openSetup')('control', key);
   }
 }
@@ -98,8 +136,7 @@ const WORDS = words({
     recognised: (fact: string) => `${fact} (recognised)`,
     /** Given by the setup. */
     set: (fact: string) => `${fact} (set)`,
-    change: 'change',
-    changeName: 'change how the program is read',
+    change: 'Change…',
   },
   zh: {
     name: '程序的读法',
@@ -109,8 +146,7 @@ const WORDS = words({
     comma: '，',
     recognised: (fact) => `${fact}（识别）`,
     set: (fact) => `${fact}（设定）`,
-    change: '更改',
-    changeName: '更改程序的读法',
+    change: '更改…',
   },
   ru: {
     name: 'Как прочитана программа',
@@ -120,7 +156,6 @@ const WORDS = words({
     comma: ', ',
     recognised: (fact) => `${fact} (распознано)`,
     set: (fact) => `${fact} (задано)`,
-    change: 'изменить',
-    changeName: 'изменить чтение программы',
+    change: 'Изменить…',
   },
 });

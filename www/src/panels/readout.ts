@@ -7,7 +7,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { LengthUnit, Readout } from '../protocol/protocol';
-import { formatClock, unknownCounts } from './duration';
+import { formatClock, formatDuration } from './duration';
 import { toUnit, formatCoordinate, formatSigned, unitSymbol } from './lengths';
 
 const NO_VALUE = '–';
@@ -143,13 +143,14 @@ export class ReadoutBoard {
     return parts.join(' · ') || NO_VALUE;
   }
 
-  /** "0:12 / 1:38 + 102 rapids": rapids of unknown duration are counted, never guessed. */
+  /** "0:12 / 1:38". */
   #timeText(readout: Readout | undefined): string {
     if (readout === undefined) return NO_VALUE;
     const { elapsed, total } = readout;
     const texts = WORDS[this.#language];
-    if (total.seconds === 0 && total.unknownRapids + total.unknownCuts > 0) return texts.notKnown;
-    return `${formatClock(elapsed.seconds)} / ${formatClock(total.seconds)}${unknownCounts(total, this.#language)}`;
+    if (total.seconds + total.assumedSeconds === 0 && total.unknownCuts > 0) return texts.notKnown;
+    const now = formatClock(elapsed.seconds + elapsed.assumedSeconds);
+    return `${now} / ${formatDuration(total, this.#language)}`;
   }
 
   #toolText(readout: Readout | undefined): string {
@@ -187,7 +188,7 @@ const WORDS = words({
     notKnown: 'not known',
     unknownTime: (rapids: number, cuts: number) =>
       [
-        rapids > 0 ? 'How long rapids take is not known: the setup gives no rapid traverse rate.' : '',
+        rapids > 0 ? 'The setup gives no rapid traverse rate: 8 m/min is assumed.' : '',
         cuts > 0 ? 'How long some cuts take is not known: they have no feed rate, or the spindle is stopped.' : '',
       ]
         .join(' ')
@@ -211,7 +212,7 @@ const WORDS = words({
     notKnown: '未知',
     unknownTime: (rapids, cuts) =>
       [
-        rapids > 0 ? '快速移动所需时间未知：设置中没有给出快移速度。' : '',
+        rapids > 0 ? '设置中没有给出快移速度，按 8 m/min 计算。' : '',
         cuts > 0 ? '部分切削所需时间未知：没有进给量，或主轴未转动。' : '',
       ].join(''),
     assumed: (tool) => `${tool}（推测）`,
@@ -234,7 +235,7 @@ const WORDS = words({
     notKnown: 'неизвестно',
     unknownTime: (rapids, cuts) =>
       [
-        rapids > 0 ? 'Время ускоренных ходов неизвестно: в наладке нет скорости ускоренного хода.' : '',
+        rapids > 0 ? 'В наладке нет скорости ускоренного хода: взято 8 м/мин.' : '',
         cuts > 0 ? 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.' : '',
       ]
         .join(' ')

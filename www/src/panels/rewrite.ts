@@ -7,6 +7,7 @@
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
 import type { Rewriting } from '../protocol/protocol';
 import type { Key, Panel, PanelKind, Shell } from './panel';
@@ -21,14 +22,10 @@ export const rewrite: PanelKind = {
 
 class Rewrite implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', {
-    type: 'button',
-    className: 'rewrite-button quiet outlined',
-    'aria-haspopup': 'dialog',
-  });
+  readonly #button = menuItem({ 'aria-haspopup': 'dialog' });
   readonly #list = make('ul', { className: 'rewritings' });
   readonly #dialog = new Dialog('rewrite', [this.#list]);
-  readonly elements = { foot: [this.#button], dialogs: [this.#dialog.element] };
+  readonly elements = { 'more-menu': [this.#button], dialogs: [this.#dialog.element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;

@@ -8,7 +8,7 @@ import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { SetupAnswer, SetupForm, SetupGroup, SetupPlace } from '../protocol/protocol';
+import type { LengthUnit, SetupAnswer, SetupForm, SetupGroup, SetupPlace } from '../protocol/protocol';
 import { SetupInput } from './setup-input';
 
 /** Entries typed within this time are sent in one question. */
@@ -63,6 +63,8 @@ export class SetupDialog {
   );
   readonly #dialog: Dialog;
   #language: Language;
+  /** The unit of lengths in the form. */
+  #unit: LengthUnit = 'mm';
   #shown: SetupForm | undefined;
   /** Entries that were not applied, by the key of the field, with the field's value at that time (`instead`). */
   readonly #unapplied = new Map<string, { readonly instead: string; readonly text: string }>();
@@ -94,7 +96,7 @@ export class SetupDialog {
     this.#discard.addEventListener('click', () => {
       const form = this.#shown;
       this.clearUnapplied();
-      if (form !== undefined) this.show(form);
+      if (form !== undefined) this.show(form, this.#unit);
     });
     this.#addButton.addEventListener('click', () => void this.#addTool());
     this.#toolInput.addEventListener('keydown', (event) => {
@@ -126,9 +128,10 @@ export class SetupDialog {
     return this.#dialog.open;
   }
 
-  /** `opened` and `key`: the group and the field to open. */
-  show(form: SetupForm, opened?: SetupGroup['group'], key?: string): void {
+  /** `unit`: of lengths in the form; `opened` and `key`: the group and the field to open. */
+  show(form: SetupForm, unit: LengthUnit, opened?: SetupGroup['group'], key?: string): void {
     this.#saveUnapplied();
+    this.#unit = unit;
     const { groups, place } = form;
     this.#shown = form;
     this.#storedIn = place;
@@ -199,7 +202,7 @@ export class SetupDialog {
 
   #renderGroup({ group, title, source, fields }: SetupGroup, opened?: SetupGroup['group']): HTMLElement {
     const texts = WORDS[this.#language];
-    const inputs = fields.map((field) => new SetupInput(field, this.#language, () => this.#scheduleAsk()));
+    const inputs = fields.map((field) => new SetupInput(field, this.#language, this.#unit, () => this.#scheduleAsk()));
     this.#inputs.push(...inputs);
     if (inputs[0] !== undefined) this.#firstInputs.set(group, inputs[0]);
     const clear = make(

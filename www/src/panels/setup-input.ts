@@ -1,27 +1,38 @@
 // One field of the setup form: its label, unit, assumed value and error message.
 //
-// In: the field and its state. Out: `onChange`. Must not know: the purpose of the field.
+// In: the field and its state, with lengths in mm; the unit in which lengths are shown and typed. Out: `onChange`, the
+// entry in mm. Must not know: the purpose of the field.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { SetupField, SetupState } from '../protocol/protocol';
+import type { LengthUnit, SetupField, SetupState } from '../protocol/protocol';
+import { MM_PER_UNIT, unitSymbol } from './lengths';
+
+/** The unit of a length, or of a feed: "mm", "mm/min". */
+const MILLIMETRES = /^(mm|мм)(?=$|\/)/;
+/** Decimals of an entry: 0.0001 mm, 0.00001 in. */
+const DECIMALS = { mm: 4, inch: 5 } as const;
 
 export class SetupInput {
   readonly key: string;
   readonly element: HTMLElement;
   readonly #language: Language;
   readonly #input: HTMLInputElement | HTMLSelectElement;
+  /** Millimetres for each unit of an entry; 1 if the field is not a length. */
+  readonly #mmPerUnit: number;
   /** The empty option of a choice. */
   readonly #emptyOption: HTMLOptionElement | undefined;
   readonly #error: HTMLElement;
-  /** The initial value. */
+  /** The initial value, and as it is shown. */
   readonly value: string;
+  readonly #shownValue: string;
 
-  constructor(field: SetupField, language: Language, onChange: () => void) {
+  constructor(field: SetupField, language: Language, shownUnit: LengthUnit, onChange: () => void) {
     const { key, label, unit, entry, choices, value } = field;
     this.key = key;
     this.#language = language;
+    this.#mmPerUnit = entry === 'number' && MILLIMETRES.test(unit) ? MM_PER_UNIT[shownUnit] : 1;
     const id = `setup-${key}`;
     if (entry === 'choice') {
       this.#emptyOption = make('option', { value: '' }, WORDS[language].nothing);
@@ -35,11 +46,14 @@ export class SetupInput {
       const mode = entry === 'number' ? 'decimal' : 'text';
       this.#input = make('input', { id, type: 'text', inputMode: mode, autocomplete: 'off', spellcheck: false });
     }
-    this.#input.value = value;
-    this.value = this.text;
+    this.text = value;
+    this.#shownValue = this.#input.value;
+    // A choice may not offer the value.
+    this.value = entry === 'choice' ? this.#shownValue : value;
     this.#input.addEventListener('input', onChange);
     this.#error = make('p', { className: 'error', id: `${id}-error`, hidden: true });
-    const unitText = make('span', { className: 'unit', id: `${id}-unit` }, unit);
+    const shownUnitText = this.#mmPerUnit === 1 ? unit : unit.replace(MILLIMETRES, unitSymbol(shownUnit, language));
+    const unitText = make('span', { className: 'unit', id: `${id}-unit` }, shownUnitText);
     this.#input.setAttribute('aria-describedby', `${id}-unit ${id}-error`);
     this.element = make(
       'div',
@@ -50,22 +64,25 @@ export class SetupInput {
     );
   }
 
+  /** The entry, a length in mm. An entry that was not changed keeps all its digits. */
   get text(): string {
-    return this.#input.value;
+    const { value } = this.#input;
+    return value === this.#shownValue ? this.value : scaled(value, this.#mmPerUnit, DECIMALS.mm);
   }
 
-  set text(text: string) {
-    this.#input.value = text;
+  set text(mm: string) {
+    this.#input.value = scaled(mm, 1 / this.#mmPerUnit, DECIMALS.inch);
   }
 
   set state(state: SetupState | undefined) {
     if (state === undefined) return;
     const { assumed, error, shown } = state;
-    const placeholder = assumed === '' ? '' : WORDS[this.#language].placeholder(assumed);
+    const placeholder =
+      assumed === '' ? '' : WORDS[this.#language].placeholder(scaled(assumed, 1 / this.#mmPerUnit, DECIMALS.inch));
     if (this.#emptyOption !== undefined)
       this.#emptyOption.textContent = placeholder === '' ? WORDS[this.#language].nothing : placeholder;
     else (this.#input as HTMLInputElement).placeholder = placeholder;
-    this.#input.classList.toggle('unsaid', this.text === '');
+    this.#input.classList.toggle('unsaid', this.#input.value === '');
     this.element.hidden = shown === 'hidden';
     this.#error.hidden = error === undefined;
     this.#error.textContent = error ?? '';
@@ -82,6 +99,14 @@ export class SetupInput {
   focus(): void {
     this.#input.focus();
   }
+}
+
+/** A number in another unit; a text that is not a number is returned unchanged. */
+function scaled(text: string, factor: number, decimals: number): string {
+  const number = Number(text.replace(',', '.'));
+  return factor === 1 || text.trim() === '' || Number.isNaN(number)
+    ? text
+    : String(Number((number * factor).toFixed(decimals)));
 }
 
 const WORDS = words({

@@ -3,12 +3,21 @@
 // In: which parts are given and which are inferred; answers to the entries. Out: the setup, stored in the program or in
 // the page. Must not know: which fields a setup has, or how anything is inferred.
 
-import { make } from '../dom/dom';
+import { icon, make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { SetupOverview, SetupAnswer, SetupForm, SetupGroup, SetupPlace, Setting } from '../protocol/protocol';
+import type {
+  LengthUnit,
+  SetupOverview,
+  SetupAnswer,
+  SetupForm,
+  SetupGroup,
+  SetupPlace,
+  Setting,
+} from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
 import { InferredStock } from './inferred-stock';
+import { formatLength } from './lengths';
 import { loadPart } from './load-part';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import setupStyles from './setup.css?inline';
@@ -23,12 +32,24 @@ export const setup: PanelKind = {
 
 class Setup implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'setup-button', 'aria-haspopup': 'dialog' });
+  readonly #label = make('span');
+  readonly #size = make('span', { className: 'blank-size' });
   readonly #inferredTools = make('span', { className: 'assumed' });
+  readonly #button = make(
+    'button',
+    { type: 'button', className: 'chip setup-button', part: 'setup', 'aria-haspopup': 'dialog' },
+    this.#label,
+    ' ',
+    this.#size,
+    ' ',
+    this.#inferredTools,
+    icon('chevron'),
+  );
   readonly #inferredStock: InferredStock;
   /** Loaded when it is first opened. */
   #form: SetupDialog | undefined;
   #overview: SetupOverview | undefined;
+  #unit: LengthUnit = 'mm';
   readonly elements: Panel['elements'];
   readonly services: Partial<Services> = {
     openSetup: (group, key) => void this.#open(group, key),
@@ -48,14 +69,14 @@ class Setup implements Panel {
     });
     this.#button.addEventListener('click', () => void this.#open());
     this.elements = {
-      views: [make('div', { className: 'setup-bar', part: 'setup' }, this.#button, this.#inferredTools)],
+      views: [this.#button],
       assumptions: [this.#inferredStock.element],
     };
   }
 
   set language(language: Language) {
     const texts = WORDS[language];
-    this.#button.textContent = texts.setup;
+    this.#label.textContent = texts.setup;
     this.#inferredTools.textContent = texts.toolsAssumed;
     this.#inferredStock.setTexts(texts.stockAssumed, texts.useStock);
     if (this.#form !== undefined) this.#form.language = language;
@@ -73,10 +94,16 @@ class Setup implements Panel {
   onEvent(event: CoreEvent): void {
     if (event.kind !== 'report') return;
     this.#overview = this.#inferredStock.overview = event.report.overview;
+    this.#unit = event.report.units.shown;
     this.#render();
   }
 
   #render(): void {
+    const [diameter, length] = this.#overview?.blank ?? [];
+    this.#size.textContent =
+      diameter === undefined || length === undefined
+        ? ''
+        : `⌀${formatLength(diameter, this.#unit)}×${formatLength(length, this.#unit)}`;
     this.#inferredTools.hidden = !(this.#overview?.tools.some(({ known }) => known === 'inferred') ?? false);
   }
 
@@ -96,7 +123,7 @@ class Setup implements Panel {
       });
       this.#shell.region('dialogs').append(this.#form.element);
     }
-    this.#form.show(form, group, key);
+    this.#form.show(form, this.#unit, group, key);
   }
 
   /** Fills in one field as the user would; all other fields keep their values. */

@@ -25,7 +25,7 @@ class Solid implements Panel {
   readonly #holesQuestion: NewestQuestion<'holes'>;
   readonly #button = make('button', {
     type: 'button',
-    className: 'solid-button quiet outlined',
+    className: 'solid-button',
     'aria-haspopup': 'dialog',
   });
   readonly #container = make('div', { className: 'text solid-holder' });
@@ -39,7 +39,7 @@ class Solid implements Panel {
   #shownMessage: Message | undefined;
   #cancelRetry: (() => void) | undefined;
 
-  readonly elements = { foot: [this.#button], dialogs: [this.#dialog.element] };
+  readonly elements = { views: [this.#button], dialogs: [this.#dialog.element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;

@@ -1,8 +1,8 @@
-// The status line at the bottom: "42 motions · 14 lines · no problems", and how numbers without a decimal point are
-// read.
+// The state of the run: progress while it takes long, then "42 motions · 14 lines · no problems" and how numbers without
+// a decimal point are read, which only screen readers show.
 //
-// In: the summary of the newest run, or the progress of a long one. Out: requests to stop that run, or to read numbers
-// without a point differently. Must not know: how a program is run.
+// In: the summary of the newest run, or the progress of a long one. Out: requests to stop that run. Must not know: how a
+// program is run.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -32,12 +32,11 @@ class StatusLine implements Panel {
   readonly #element = make('p', { className: 'status', part: 'status', role: 'status' });
   /** Visible while a run takes a noticeable time. */
   readonly #stop = make('button', { type: 'button', className: 'framed', hidden: true });
-  readonly #change = make('button', { type: 'button', className: 'change quiet' });
   #content: Content = { kind: 'loading' };
   /** The content belongs to an earlier run. */
   #isOutdated = false;
   #renderedKey = '';
-  readonly elements = { foot: [this.#element, this.#stop] };
+  readonly elements = { head: [this.#element, this.#stop] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -45,7 +44,6 @@ class StatusLine implements Panel {
       shell.send({ kind: 'stop' });
       shell.editor.focus();
     });
-    this.#change.addEventListener('click', () => shell.service('openSetup')('control', 'dialect.decimal'));
   }
 
   set language(_: Language) {
@@ -88,6 +86,8 @@ class StatusLine implements Panel {
     const texts = WORDS[this.#shell.language];
     this.#stop.textContent = texts.stopRun;
     this.#stop.hidden = this.#content.kind !== 'running';
+    // The counts of a finished run are for screen readers; the picture and the list of problems show them.
+    this.#element.classList.toggle('unseen', this.#content.kind === 'summary');
     // On a narrow page, lines break between facts, not inside them.
     const facts = this.#facts();
     const decimal = this.#content.kind === 'summary' ? this.#content.decimal : undefined;
@@ -96,9 +96,7 @@ class StatusLine implements Panel {
     this.#renderedKey = renderedKey;
     this.#element.replaceChildren(...facts.flatMap((fact, i) => [i > 0 ? ' · ' : '', make('span', {}, fact)]));
     if (decimal === undefined) return;
-    this.#change.textContent = texts.change;
-    this.#change.setAttribute('aria-label', texts.changeDecimal);
-    this.#element.append(' · ', make('span', { className: 'decimal' }, decimal), ' · ', this.#change);
+    this.#element.append(' · ', make('span', { className: 'decimal' }, decimal));
   }
 
   #facts(): readonly string[] {
@@ -142,8 +140,6 @@ const WORDS = words({
     pending: 'part and messages are loading …',
     incomplete: 'part and messages could not be loaded',
     stopRun: 'Stop',
-    change: 'change',
-    changeDecimal: 'Change how numbers without a point are read',
     loading: 'Loading …',
   },
   zh: {
@@ -156,8 +152,6 @@ const WORDS = words({
     pending: '正在加载零件和信息……',
     incomplete: '零件和信息加载失败',
     stopRun: '停止',
-    change: '更改',
-    changeDecimal: '更改无小数点的数的读法',
     loading: '正在加载……',
   },
   ru: {
@@ -170,8 +164,6 @@ const WORDS = words({
     pending: 'деталь и сообщения загружаются …',
     incomplete: 'деталь и сообщения не загружены',
     stopRun: 'Остановить',
-    change: 'изменить',
-    changeDecimal: 'Изменить чтение чисел без точки',
     loading: 'Загрузка …',
   },
 });

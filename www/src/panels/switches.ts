@@ -28,7 +28,7 @@ class Switches implements Panel {
   /** The current options as text: an unchanged list is not rebuilt, because the user may have opened it. */
   #options = '';
 
-  readonly elements = { bar: [this.#element] };
+  readonly elements = { reading: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;

@@ -1,5 +1,5 @@
-// The tabs of a narrow element: drawing, program, problems, state. The drawing is always visible; its tab gives it the
-// whole element. If the element is wide enough, the style sheet hides the tabs, and they have no effect.
+// The tabs of a narrow element, under the drawing: program, problems, explanation. If the element is wide enough, the
+// style sheet hides the tabs, and they have no effect.
 //
 // In: the number of problems; the request to show the program. Out: `data-tab` of the frame, for the style sheet. Must
 // not know: the size of the element, or the contents of a region.
@@ -13,19 +13,19 @@ import tabsStyles from './tabs.css?inline';
 
 export const tabs: PanelKind = { styles: tabsStyles, make: (shell) => new Tabs(shell) };
 
-const TABS = ['drawing', 'program', 'problems', 'state'] as const;
+const TABS = ['program', 'problems', 'explain'] as const;
 type Tab = (typeof TABS)[number];
 
 class Tabs implements Panel {
   readonly #row = make('div', { className: 'tab-list', role: 'tablist' });
   readonly #frame: HTMLElement;
-  readonly #tabPanels: Readonly<Record<'written' | 'shown', HTMLElement>>;
+  readonly #shell: Shell;
+  readonly #tabPanel: HTMLElement;
   readonly #tabs: Readonly<Record<Tab, HTMLButtonElement>>;
   readonly #names: Readonly<Record<Tab, HTMLElement>> = {
-    drawing: make('span'),
     program: make('span'),
     problems: make('span'),
-    state: make('span'),
+    explain: make('span'),
   };
   readonly #count = make('span', { className: 'count', hidden: true });
   /** Shown instead of an empty list of problems. */
@@ -34,8 +34,11 @@ class Tabs implements Panel {
   readonly elements = { tabs: [this.#row], problems: [this.#noProblems] };
 
   constructor(shell: Shell) {
+    this.#shell = shell;
     this.#frame = shell.frame;
-    this.#tabPanels = { written: this.#find('written'), shown: this.#find('shown') };
+    const written = this.#frame.querySelector<HTMLElement>('#written');
+    if (written === null) throw new Error('the frame has no #written');
+    this.#tabPanel = written;
     const tab = (which: Tab): HTMLButtonElement => {
       const more = which === 'problems' ? [' ', this.#count] : [];
       const button = make(
@@ -44,12 +47,12 @@ class Tabs implements Panel {
         this.#names[which],
         ...more,
       );
-      button.setAttribute('aria-controls', which === 'drawing' ? 'shown' : 'written');
-      button.addEventListener('click', () => this.#choose(which));
+      button.setAttribute('aria-controls', 'written');
+      button.addEventListener('click', () => this.#open(which));
       button.addEventListener('keydown', (event) => this.#handleKey(event));
       return button;
     };
-    this.#tabs = { drawing: tab('drawing'), program: tab('program'), problems: tab('problems'), state: tab('state') };
+    this.#tabs = { program: tab('program'), problems: tab('problems'), explain: tab('explain') };
     this.#row.append(...Object.values(this.#tabs));
     this.#choose('program');
     // The style sheet decides whether there are tabs.
@@ -75,10 +78,9 @@ class Tabs implements Panel {
     this.#choose('program');
   }
 
-  #find(id: string): HTMLElement {
-    const found = this.#frame.querySelector<HTMLElement>(`#${id}`);
-    if (found === null) throw new Error(`the frame has no #${id}`);
-    return found;
+  #open(chosen: Tab): void {
+    this.#choose(chosen);
+    if (chosen === 'explain') this.#shell.service('explain')();
   }
 
   #choose(chosen: Tab): void {
@@ -91,20 +93,14 @@ class Tabs implements Panel {
     this.#showRoles();
   }
 
-  /** The regions are tab panels only if the tabs are visible. */
+  /** The region is a tab panel only if the tabs are visible. */
   #showRoles(): void {
-    const areTabs = this.#row.checkVisibility();
-    for (const [id, panel] of Object.entries(this.#tabPanels)) {
-      if (areTabs) {
-        panel.setAttribute('role', 'tabpanel');
-        panel.setAttribute(
-          'aria-labelledby',
-          `tab-${id === 'shown' || this.#tab === 'drawing' ? 'drawing' : this.#tab}`,
-        );
-      } else {
-        panel.removeAttribute('role');
-        panel.removeAttribute('aria-labelledby');
-      }
+    if (this.#row.checkVisibility()) {
+      this.#tabPanel.setAttribute('role', 'tabpanel');
+      this.#tabPanel.setAttribute('aria-labelledby', `tab-${this.#tab}`);
+    } else {
+      this.#tabPanel.removeAttribute('role');
+      this.#tabPanel.removeAttribute('aria-labelledby');
     }
   }
 
@@ -113,7 +109,7 @@ class Tabs implements Panel {
     const next = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: -1 }[event.key];
     const which = next === undefined ? undefined : TABS.at(next % TABS.length);
     if (which === undefined) return;
-    this.#choose(which);
+    this.#open(which);
     this.#tabs[which].focus();
     this.#tabs[which].scrollIntoView({ block: 'nearest', inline: 'nearest' });
     event.preventDefault();
@@ -123,17 +119,17 @@ class Tabs implements Panel {
 const WORDS = words({
   en: {
     shown: 'What is shown',
-    tabs: { drawing: 'Drawing', problems: 'Problems', state: 'State' },
+    tabs: { problems: 'Problems', explain: 'Explain' },
     noProblems: 'No problems',
   },
   zh: {
     shown: '显示内容',
-    tabs: { drawing: '图形', problems: '问题', state: '状态' },
+    tabs: { problems: '问题', explain: '说明' },
     noProblems: '没有问题',
   },
   ru: {
     shown: 'Что показано',
-    tabs: { drawing: 'Чертёж', problems: 'Замечания', state: 'Состояние' },
+    tabs: { problems: 'Замечания', explain: 'Пояснение' },
     noProblems: 'Замечаний нет',
   },
 });

@@ -2,12 +2,13 @@
 //
 // In: the totals of the newest run, requested once its path is complete. Must not know: how they are computed.
 
-import { make, setAccessibleName } from '../dom/dom';
+import { make, setAccessibleName, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
-import type { LengthUnit, Totals } from '../protocol/protocol';
+import type { LengthUnit, Readout, Totals } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
-import { formatClock, unknownCounts } from './duration';
+import { formatClock, formatDuration } from './duration';
 import { toUnit, formatLength, unitSymbol } from './lengths';
 import type { Panel, PanelKind, Shell } from './panel';
 import totalsStyles from './totals.css?inline';
@@ -22,12 +23,7 @@ export const totals: PanelKind = { control: 'tools', styles: totalsStyles, make:
 
 class TotalsPanel implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', {
-    type: 'button',
-    className: 'totals-button quiet',
-    'aria-haspopup': 'dialog',
-    hidden: true,
-  });
+  readonly #button = menuItem({ 'aria-haspopup': 'dialog', hidden: true });
   readonly #title = make('h2');
   readonly #close = make('button', { type: 'button', className: 'quiet close' }, '×');
   readonly #body = make('div', { className: 'scroller', tabIndex: 0, role: 'region' });
@@ -43,7 +39,11 @@ class TotalsPanel implements Panel {
   /** One row for each tool, and the last row for the whole program. */
   #rows: readonly Totals[] = [];
   #unit: LengthUnit = 'mm';
-  readonly elements = { foot: [this.#button], dialogs: [this.#element] };
+  /** "0:49 / 3:14": the time at the tool, if it is shown, and of the whole program. */
+  readonly #time = make('span', { className: 'time', part: 'time' });
+  /** The time at the tool. */
+  #elapsed: string | undefined;
+  readonly elements = { 'more-menu': [this.#button], playback: [this.#time], dialogs: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -73,8 +73,14 @@ class TotalsPanel implements Panel {
     else this.#set([]);
   }
 
+  onToolMoved(place: Readout | undefined): void {
+    this.#elapsed = place === undefined ? undefined : formatClock(place.elapsed.seconds + place.elapsed.assumedSeconds);
+    this.#showTime();
+  }
+
   onWorkerLost(): void {
     this.#button.hidden = true;
+    this.#set([]);
   }
 
   async #ask(): Promise<void> {
@@ -88,17 +94,25 @@ class TotalsPanel implements Panel {
     this.#show();
   }
 
+  #showTime(): void {
+    const all = this.#rows.at(-1);
+    const whole = all === undefined ? '' : formatDuration(all, this.#shell.language);
+    setText(this.#time, this.#elapsed === undefined || whole === '' ? whole : `${this.#elapsed} / ${whole}`);
+    const notes = this.#notes.textContent ?? '';
+    this.#time.title = [WORDS[this.#shell.language].time(whole), ...(notes === '' ? [] : [notes])].join('. ');
+  }
+
   #show(): void {
     const { language } = this.#shell;
     const texts = WORDS[language];
     const all = this.#rows.at(-1);
-    this.#button.textContent = texts.time(all === undefined ? '…' : formatTime(all, language));
-    this.#button.title = texts.title;
+    this.#button.textContent = texts.time(all === undefined ? '…' : formatDuration(all, language));
     this.#body.setAttribute('aria-label', texts.title);
     if (all === undefined) {
       this.#body.replaceChildren();
       this.#notes.hidden = true;
-      return;
+      this.#notes.textContent = '';
+      return this.#showTime();
     }
     const head = texts.columns(unitSymbol(this.#unit, language)).map((text) => make('th', { scope: 'col' }, text));
     const rows = this.#rows.map((row) => this.#row(row, row === all ? texts.whole : (row.tool ?? texts.noTool)));
@@ -106,11 +120,12 @@ class TotalsPanel implements Panel {
       make('table', {}, make('thead', {}, make('tr', {}, ...head)), make('tbody', {}, ...rows)),
     );
     const notes = [
-      all.unknownRapids > 0 ? texts.rapidsUnknown : '',
+      all.unknownRapids > 0 ? texts.rapidsAssumed : '',
       all.unknownCuts > 0 ? texts.cutsUnknown : '',
     ].filter((note) => note !== '');
     this.#notes.hidden = notes.length === 0;
     this.#notes.textContent = notes.join(' ');
+    this.#showTime();
   }
 
   #row(row: Totals, first: string): HTMLElement {
@@ -121,7 +136,7 @@ class TotalsPanel implements Panel {
         : `${formatLength(from, this.#unit)} … ${formatLength(to, this.#unit)}`;
     const path = (mm: number): string => toUnit(mm, this.#unit).toFixed(this.#unit === 'mm' ? 1 : 2);
     const cells = [
-      formatTime(row, this.#shell.language),
+      formatDuration(row, this.#shell.language),
       path(cut),
       path(rapid),
       range(low?.x, high?.x),
@@ -131,38 +146,32 @@ class TotalsPanel implements Panel {
   }
 }
 
-/** "1:38 + 12 rapids": motions of unknown time are counted, never guessed. */
-function formatTime({ seconds, unknownCuts, unknownRapids }: Totals, language: Language): string {
-  const unknown = unknownCounts({ seconds, unknownCuts, unknownRapids }, language);
-  return seconds === 0 && unknown !== '' ? unknown.replace(/^ \+ /, '') : `${formatClock(seconds)}${unknown}`;
-}
-
 const WORDS = words({
   en: {
-    time: (time: string) => `Time ${time}`,
+    time: (time: string) => `Time and totals: ${time}`,
     title: 'Time and totals',
     columns: (unit: string) => ['Tool', 'Time', `Cut, ${unit}`, `Rapid, ${unit}`, 'X of the cuts, ⌀', 'Z of the cuts'],
     whole: 'All',
     noTool: '–',
-    rapidsUnknown: 'How long rapids take is not known: the setup gives no rapid traverse rate.',
+    rapidsAssumed: 'The setup gives no rapid traverse rate: 8 m/min is assumed.',
     cutsUnknown: 'How long some cuts take is not known: they have no feed rate, or the spindle is stopped.',
   },
   zh: {
-    time: (time) => `时间 ${time}`,
+    time: (time) => `时间与合计：${time}`,
     title: '时间与合计',
     columns: (unit) => ['刀具', '时间', `切削，${unit}`, `快移，${unit}`, '切削 X 范围，⌀', '切削 Z 范围'],
     whole: '合计',
     noTool: '–',
-    rapidsUnknown: '快速移动所需时间未知：设置中没有给出快移速度。',
+    rapidsAssumed: '设置中没有给出快移速度，按 8 m/min 计算。',
     cutsUnknown: '部分切削所需时间未知：没有进给量，或主轴未转动。',
   },
   ru: {
-    time: (time) => `Время ${time}`,
+    time: (time) => `Время и итоги: ${time}`,
     title: 'Время и итоги',
     columns: (unit) => ['Инструмент', 'Время', `Резание, ${unit}`, `Ускоренно, ${unit}`, 'X резания, ⌀', 'Z резания'],
     whole: 'Всего',
     noTool: '–',
-    rapidsUnknown: 'Время ускоренных ходов неизвестно: в наладке нет скорости ускоренного хода.',
+    rapidsAssumed: 'В наладке нет скорости ускоренного хода: взято 8 м/мин.',
     cutsUnknown: 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.',
   },
 });

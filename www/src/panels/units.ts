@@ -1,4 +1,4 @@
-// The button in the line at the bottom that shows the unit of lengths, and switches to the other one.
+// The button that says the unit of the lengths that are shown, and switches to the other one.
 //
 // In: the unit of the program and the unit that is shown. Out: the unit that the user chooses, which also applies to
 // other programs; choosing the unit of the program removes the choice. Must not know: the measured quantity.
@@ -14,10 +14,10 @@ export const units: PanelKind = { control: 'setup', make: (shell) => new UnitsBu
 
 class UnitsButton implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'quiet', part: 'units', hidden: true });
+  readonly #button = make('button', { type: 'button', className: 'framed', part: 'units', hidden: true });
   #units: Units | undefined;
   #preferred: LengthUnit | undefined;
-  readonly elements = { foot: [this.#button] };
+  readonly elements = { reading: [this.#button] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -50,18 +50,14 @@ class UnitsButton implements Panel {
     this.#button.hidden = shown === undefined;
     if (shown === undefined) return;
     const texts = WORDS[this.#shell.language];
-    this.#button.textContent = texts[shown];
-    this.#button.setAttribute('aria-label', texts.name[shown]);
-    this.#button.title = texts.name[shown];
+    this.#button.textContent = texts.name[shown];
   }
 }
 
 const WORDS = words({
   en: {
-    mm: 'mm',
-    inch: 'inch',
     name: { mm: 'Lengths in mm: show them in inches', inch: 'Lengths in inch: show them in mm' },
   },
-  zh: { mm: 'mm', inch: '英寸', name: { mm: '长度单位 mm：改为英寸', inch: '长度单位英寸：改为 mm' } },
-  ru: { mm: 'мм', inch: 'дюймы', name: { mm: 'Длины, мм: показать в дюймах', inch: 'Длины, дюймы: показать в мм' } },
+  zh: { name: { mm: '长度单位 mm：改为英寸', inch: '长度单位英寸：改为 mm' } },
+  ru: { name: { mm: 'Длины, мм: показать в дюймах', inch: 'Длины, дюймы: показать в мм' } },
 });

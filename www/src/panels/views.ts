@@ -4,6 +4,7 @@
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { menuItem } from '../dom/menu';
 import { words } from '../dom/words';
 import {
   PICTURES,
@@ -30,8 +31,8 @@ class Views implements Panel {
   readonly #row: HTMLElement;
   readonly #choice = make('div', { className: 'choice', role: 'radiogroup', hidden: true });
   readonly #buttons: Readonly<Record<PictureChoice, HTMLButtonElement>>;
-  readonly #turret = make('button', { type: 'button', className: 'level' });
-  readonly #keepButton = make('button', { type: 'button', className: 'small' });
+  readonly #turret = menuItem({ role: 'menuitemcheckbox' });
+  readonly #keepButton = menuItem();
   readonly #endButton = make('button', { type: 'button', className: 'small', hidden: true });
   readonly #differences = make('div', { className: 'differences', 'aria-live': 'polite', hidden: true });
   #state: ViewsState = { pictures: ['section'], work: [], turret: 'rear', comparison: undefined };
@@ -50,7 +51,10 @@ class Views implements Panel {
       if (this.#startedBy === 'page') this.#shell.send({ kind: 'end-comparison' });
     },
   };
-  readonly elements = { views: [this.#choice, this.#turret, this.#keepButton, this.#endButton, this.#differences] };
+  readonly elements = {
+    views: [this.#choice, this.#differences, this.#endButton],
+    'more-menu': [this.#turret, this.#keepButton],
+  };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -75,7 +79,7 @@ class Views implements Panel {
     this.#endButton.addEventListener('click', () => {
       this.#startedBy = 'user';
       shell.send({ kind: 'end-comparison' });
-      this.#keepButton.focus();
+      shell.editor.focus();
     });
     new ResizeObserver(() => {
       // Elements that float over the pictures are placed below this row.
@@ -141,7 +145,7 @@ class Views implements Panel {
       button.setAttribute('aria-checked', String(choice === this.#current));
       button.tabIndex = choice === this.#current ? 0 : -1;
     }
-    this.#turret.setAttribute('aria-pressed', String(turret === 'front'));
+    this.#turret.setAttribute('aria-checked', String(turret === 'front'));
     this.#keepButton.hidden = comparison !== undefined;
     this.#endButton.hidden = this.#differences.hidden = comparison === undefined;
     if (comparison !== undefined) this.#differences.replaceChildren(...this.#describe(comparison));

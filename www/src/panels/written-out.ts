@@ -6,6 +6,7 @@
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
 import type { CodeView } from '../editor/code-view';
 import type { ExpandedProgram } from '../protocol/protocol';
@@ -23,11 +24,7 @@ export const writtenOut: PanelKind = {
 
 class ExpandedPanel implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', {
-    type: 'button',
-    className: 'written-out-button quiet outlined',
-    'aria-haspopup': 'dialog',
-  });
+  readonly #button = menuItem({ 'aria-haspopup': 'dialog' });
   readonly #text = make('div', { className: 'text' });
   readonly #copy = make('button', { type: 'button', className: 'framed' });
   readonly #applyButton = make('button', { type: 'button', className: 'framed' });
@@ -37,7 +34,7 @@ class ExpandedPanel implements Panel {
   #view: CodeView | undefined;
   #copiedTimer: ReturnType<typeof setTimeout> | undefined;
 
-  readonly elements = { foot: [this.#button], dialogs: [this.#dialog.element] };
+  readonly elements = { 'more-menu': [this.#button], dialogs: [this.#dialog.element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;

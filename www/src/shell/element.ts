@@ -31,7 +31,7 @@
 //   rules, docs https://…              the folders of the rule pages and of the documents; empty: no links to them
 //   loading   lazy | eager | click     start near the viewport, immediately, or on click
 //   split     40                       width of the program beside the drawing, percent; follows the divider
-//   hints     "edit play pick"         the introductory hints that are still to be shown; missing: none
+//   hints     "play pick"              the introductory hints that are still to be shown; missing: none
 // The element updates `hints`, `block-skip` and `program` when the user dismisses a hint or uses a switch. A change of
 // `view`, `controls` or `readonly` renders the element again with the same program; the undo history is lost.
 //
@@ -62,12 +62,13 @@
 //   gcode-split    detail {split}: the user has dragged the divider
 //   gcode-context  detail {control, setup, blockSkip, program, origin}: another program has replaced the current one,
 //                  or undo has restored one; attributes and `origin` have the values of the detail
-// Slots: `intro` above the program; `fallback`, shown until there is a picture.
+// Slots: `intro` under the program; `fallback`, shown until there is a picture; `title` of the program in the row at the
+// top; `about` beside how the program was read; items of the menus: `program-menu`, `share-menu`, `help-menu`, `more-menu`.
 // CSS custom properties: --playground-height, --playground-type-size, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css.
-// Parts: frame intro bar file switches editor problems drawing canvas old-picture what-if at-cursor legend tooltip
-// setup views assumptions playback play readout doing status notice hint totals units open-link motions written-out
-// rewrite codes solid export-menu paste help read-as profiles caption fallback.
+// Parts: frame head menu program-menu share-menu help-menu more-menu intro bar file switches editor problems drawing canvas old-picture what-if at-cursor legend tooltip
+// setup views assumptions playback play readout doing pace time status notice hint totals units open-link motions written-out
+// rewrite codes solid paste help read-as reading profiles caption fallback.
 //
 // The shadow DOM belongs to the shell: see shell.ts, and panels/panel.ts for how to add to it.
 
@@ -76,7 +77,7 @@ import { languageOf, type Language } from '../dom/language';
 import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encodings';
 import type { DifferenceResult, ExportFormat, OtherVersion } from '../protocol/protocol';
-import type { ClientPoint, Services } from '../panels/panel';
+import type { ClientPoint, Services, UserCommand } from '../panels/panel';
 import { shownControls, parseView, type View } from './layout';
 import { whenParsed } from './parsed';
 import { Settling } from './settling';
@@ -562,6 +563,11 @@ export class GcodePlayground extends Base {
   get wholeSetup(): string | undefined {
     const result = mergeSetup(this.setup, this);
     return result.kind === 'setup' && isJson(result.json) ? result.json : undefined;
+  }
+
+  /** What the user can do, for the command palette of the page. */
+  get commands(): readonly UserCommand[] {
+    return this.#shell.commands;
   }
 
   /** The drawing as SVG, or the shown picture as PNG; undefined if there is none yet. */

@@ -61,6 +61,7 @@ export interface Layout {
 export function createLayout(view: View, editor: HTMLElement): Layout {
   const plainRegion = (): HTMLElement => make('div', { className: 'region' });
   const regions = {
+    head: make('div', { className: 'head', part: 'head' }),
     tabs: make('div', { className: 'tabs' }),
     notices: make('div', { className: 'notices' }),
     bar: make('div', { className: 'bar', part: 'bar' }),
@@ -70,8 +71,13 @@ export function createLayout(view: View, editor: HTMLElement): Layout {
     assumptions: make('div', { className: 'assumptions', part: 'assumptions' }),
     pictures: make('div', { className: 'pictures' }),
     playback: make('div', { className: 'playback', part: 'playback', role: 'group' }),
-    foot: make('div', { className: 'foot' }),
     dialogs: plainRegion(),
+    'program-menu': plainRegion(),
+    'share-menu': plainRegion(),
+    'help-menu': plainRegion(),
+    'more-menu': plainRegion(),
+    reading: plainRegion(),
+    pace: plainRegion(),
   };
   // The content for users without scripts is shown here until there is a picture.
   const fallback = make('div', { className: 'fallback', part: 'fallback' }, make('slot', { name: 'fallback' }));
@@ -81,17 +87,17 @@ export function createLayout(view: View, editor: HTMLElement): Layout {
   // Regions that a view does not show are not inserted.
   switch (view) {
     case 'all':
-      // In a small element, `data-tab` is the selected tab.
+      // In a narrow element, `data-tab` is the selected tab.
       frame.dataset['tab'] = 'program';
       frame.append(
-        regions.tabs,
+        regions.head,
         make(
           'div',
           { className: 'written', id: 'written' },
-          make('slot', { name: 'intro' }),
-          regions.notices,
           regions.bar,
           editor,
+          make('slot', { name: 'intro' }),
+          regions.notices,
           regions.problems,
         ),
         regions.divider,
@@ -103,7 +109,7 @@ export function createLayout(view: View, editor: HTMLElement): Layout {
           regions.pictures,
           regions.playback,
         ),
-        regions.foot,
+        regions.tabs,
       );
       break;
     case 'picture':
@@ -113,7 +119,7 @@ export function createLayout(view: View, editor: HTMLElement): Layout {
       frame.append(make('div', { className: 'shown' }, regions.notices, regions.pictures, regions.playback));
       break;
     case 'code':
-      frame.append(make('div', { className: 'written' }, regions.notices, editor, regions.problems));
+      frame.append(make('div', { className: 'written' }, regions.notices, regions.bar, editor, regions.problems));
       break;
   }
   frame.append(regions.dialogs);

@@ -21,6 +21,7 @@ import {
   type Services,
   type Shell,
   type SwitchState,
+  type UserCommand,
 } from '../panels/panel';
 import type {
   Answer,
@@ -392,7 +393,7 @@ export class PlaygroundShell implements Shell {
   setProgram(program: ProgramText, file: ProgramFile | undefined): void {
     const { editor } = this;
     editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', this.#context);
-    this.#notifyPanels((panel) => panel.onProgramReplaced?.());
+    this.#notifyPanels((panel) => panel.onProgramReplaced?.('host'));
     // A notice about a file does not apply to this program.
     this.service('hideNotice')('file');
     this.#runs.resetCursor();
@@ -415,6 +416,20 @@ export class PlaygroundShell implements Shell {
 
   get language(): Language {
     return this.#language;
+  }
+
+  /** What the user can do, for the command palette of the page. */
+  get commands(): readonly UserCommand[] {
+    const buttons = [...this.region('views').querySelectorAll('button')].filter(
+      (button) => button.checkVisibility() && !button.disabled,
+    );
+    return [
+      ...this.#panels.flatMap((panel) => panel.commands ?? []),
+      ...buttons.map((button) => ({
+        name: button.getAttribute('aria-label') ?? button.textContent ?? '',
+        run: () => button.click(),
+      })),
+    ];
   }
 
   get setup(): string | null {
@@ -626,7 +641,7 @@ export class PlaygroundShell implements Shell {
     const before = this.#context;
     // Another program can have the same context: then only the notifications below are needed.
     if (CONTEXT_KEYS.some((key) => context[key] !== before[key])) Object.assign(this.#host, context);
-    this.#notifyPanels((panel) => panel.onProgramReplaced?.());
+    this.#notifyPanels((panel) => panel.onProgramReplaced?.('user'));
     this.#events.fire('gcode-context', context);
   }
 
