@@ -296,6 +296,7 @@ fn thread_depth(found: UnusualDepth) -> Unusual {
 }
 
 /// Whether a cut, shifted slightly, removes material.
+#[inline(never)]
 fn meets(now: &Region, motion: &Motion, shift: Point, tool: &ResolvedTool) -> bool {
     let moved = |point: Point| Point::new(point.x + shift.x, point.z + shift.z);
     let beside = Motion {
