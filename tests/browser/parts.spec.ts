@@ -289,6 +289,30 @@ test('panels and the editor that failed to load are loaded by a retry', async ({
   await expect(notice).toBeHidden();
 });
 
+test('a part that fails just after the network has returned is loaded again', async ({ page }) => {
+  let isBroken = true;
+  await page.route(/\/assets\/further-[\w-]+\.js/, (route) => (isBroken ? route.abort() : route.continue()));
+  // Requests of the editor from before fail after the network has returned, and so do those of the next moment.
+  let fail = (): void => undefined;
+  const failing = new Promise<void>((resolve) => (fail = resolve));
+  let failsUntil = Number.POSITIVE_INFINITY;
+  await page.route(/\/assets\/editor-[\w-]+\.js/, async (route) => {
+    await failing;
+    await (Date.now() < failsUntil ? route.abort() : route.continue());
+  });
+  await page.goto('./');
+  const notice = page.getByRole('alert');
+  await expect(notice).toContainText('Part of the page could not be loaded');
+  isBroken = false;
+  await page.context().setOffline(true);
+  await page.context().setOffline(false);
+  failsUntil = Date.now() + 500;
+  fail();
+  await expect(notice).toBeHidden();
+  await expect(page.getByRole('button', { name: /^Setup/ })).toBeVisible();
+  await expect(page.locator('.cm-content')).toBeVisible();
+});
+
 test('changing the language while the part is computed waits for the messages of that language', async ({ page }) => {
   await route(page, 'ru', late);
   await open(page);

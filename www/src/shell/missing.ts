@@ -14,6 +14,8 @@ export type MissingKind = (typeof KINDS)[number];
 
 /** Minimum delay between a failure and an attempt after an edit. */
 const MIN_RETRY_DELAY_MS = 2_000;
+/** A failure this soon after the network has returned may be that of a request from before. */
+const NETWORK_RETURNS_MS = 5_000;
 
 interface MissingPart {
   readonly message: (language: Language) => string;
@@ -39,6 +41,8 @@ export class Missing {
   /** Set during an attempt, so that the run it starts does not count as an edit. */
   #isRetryingAll = false;
   #stopWaitingForNetwork: (() => void) | undefined;
+  /** When the network last returned (`performance.now`). */
+  #onlineAt = -Infinity;
 
   constructor(language: Language, events: MissingEvents) {
     this.#language = language;
@@ -57,9 +61,11 @@ export class Missing {
     if (before?.isRetrying !== false) this.#earliestRetry = performance.now() + MIN_RETRY_DELAY_MS;
     this.#parts.set(kind, { message, retry, isRetrying: false, isRetryRequested: false });
     this.#show();
-    if (before?.isRetryRequested === true) this.onEdit();
+    const hasJustReturned = performance.now() - this.#onlineAt < NETWORK_RETURNS_MS;
+    if (before?.isRetryRequested === true || hasJustReturned) this.onEdit();
     this.#stopWaitingForNetwork ??= whenOnline(() => {
       this.#stopWaitingForNetwork = undefined;
+      this.#onlineAt = performance.now();
       this.retryAll();
     });
   }
