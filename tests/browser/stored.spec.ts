@@ -44,7 +44,7 @@ async function visit(page: ChromiumPage, address: string): Promise<void> {
 
 async function visitAndStore(page: ChromiumPage, { address }: StoredSite): Promise<void> {
   await visit(page, address);
-  await expect(page.getByText('Works offline')).toHaveCount(1, { timeout: 60_000 });
+  await expect(page.locator('#offline', { hasText: 'Works offline' })).toHaveCount(1, { timeout: 60_000 });
 }
 
 test('two tabs never mix files of two versions', { tag: '@night' }, async ({ page, context }) => {
@@ -102,10 +102,10 @@ test('responses during an update are not cached', async ({ page }) => {
   const next = nextBuild();
   site.publish(new Map([...next].filter(([path]) => path !== 'offline/examples.json')));
   await visit(page, site.address);
-  await expect(page.getByText('Not stored for offline use')).toHaveCount(1, { timeout: 60_000 });
+  await expect(page.locator('#offline', { hasText: 'Not stored for offline use' })).toHaveCount(1, { timeout: 60_000 });
   site.publish(next);
   await page.reload();
-  await expect(page.getByText('Works offline')).toHaveCount(1, { timeout: 60_000 });
+  await expect(page.locator('#offline', { hasText: 'Works offline' })).toHaveCount(1, { timeout: 60_000 });
   await site.stop();
 });
 
@@ -168,7 +168,7 @@ test('a zip of the page runs in a subfolder of a generic static server', { tag: 
         request.url().startsWith('http') && !request.url().startsWith(address) && outside.push(request.url()),
     );
     await visit(page, address);
-    await expect(page.getByText('Works offline')).toHaveCount(1, { timeout: 60_000 });
+    await expect(page.locator('#offline', { hasText: 'Works offline' })).toHaveCount(1, { timeout: 60_000 });
     await page.goto(`${address}rules/en/absolute-and-incremental.html`);
     await page.getByRole('link', { name: 'G-code playground' }).click();
     await expect(status(page)).toContainText(/\d+ motions/);
@@ -253,7 +253,7 @@ for (const [locale, colorScheme, message, wanted] of [
     const site = await storedSite();
     await visit(page, site.address);
     await openMenu(page, 'more');
-    await expect(page.getByText(message, { exact: true })).toBeVisible({ timeout: 60_000 });
+    await expect(page.locator('#offline', { hasText: message })).toBeVisible({ timeout: 60_000 });
     site.publish(nextBuild());
     await page.reload();
     const reload = page.getByRole('button', { name: wanted, exact: true });
@@ -271,7 +271,7 @@ for (const [locale, colorScheme, message, wanted] of [
       });
     expect(await wrong()).toEqual([]);
     await openMenu(page, 'more');
-    await expect(page.getByText(message, { exact: true })).toBeVisible();
+    await expect(page.locator('#offline', { hasText: message })).toBeVisible();
     expect(await wrong()).toEqual([]);
     await page.keyboard.press('Escape');
     await page.setViewportSize({ width: 1280, height: 800 });

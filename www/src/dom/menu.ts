@@ -30,6 +30,8 @@ export class Menu {
     );
     this.button.popoverTargetElement = this.element;
     this.button.addEventListener('keydown', (event) => {
+      // A key that is typed before the first item has the focus.
+      if (this.open) return this.#handleKey(event);
       if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
       event.preventDefault();
       this.element.showPopover();
@@ -84,7 +86,7 @@ export class Menu {
     const items = this.#visible;
     const at = items.findIndex((item) => event.composedPath().includes(item));
     if (event.key === 'ArrowDown') this.#focusItem(at + 1);
-    else if (event.key === 'ArrowUp') this.#focusItem(at - 1);
+    else if (event.key === 'ArrowUp') this.#focusItem(at < 0 ? -1 : at - 1);
     else if (event.key === 'Home') this.#focusItem(0);
     else if (event.key === 'End') this.#focusItem(-1);
     else if (event.key === 'Tab' || event.key === 'Escape') {
