@@ -180,8 +180,7 @@ fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item 
     let unknown = if has_part { resolved.unknown() } else { &[] };
     let shows_part = resolved.shows_part();
     let unknown = unknown.iter().map(move |&index| {
-        let (station, offset) = motions.get(index).process.tool;
-        let tool = format!("T{station:02}{offset:02}");
+        let tool = t_word(motions.get(index).process.tool);
         let message: Message = match shows_part {
             true => said::ToolUnknownCuts { tool }.into(),
             false => said::ToolUnknown { tool }.into(),
@@ -233,8 +232,7 @@ fn assumed_drills(resolved: &ResolvedSetup, motions: &Motions) -> Vec<Diagnostic
     let deepest = holes.iter().map(|hole| hole.deepest).fold(f64::INFINITY, f64::min);
     let shown = holes.iter().filter(|hole| hole.deepest <= deepest + SAME);
     let told = shown.filter_map(|hole| {
-        let (station, offset) = hole.tool;
-        let (tool, diameter) = (format!("T{station:02}{offset:02}"), hole.assumed?.mm());
+        let (tool, diameter) = (t_word(hole.tool), hole.assumed?.mm());
         Some(Diagnostic::new(said::DrillAssumed { tool, diameter }, motions.span(hole.first)))
     });
     told.collect()
@@ -247,9 +245,13 @@ fn feed_begins(motions: &Motions, index: usize) -> usize {
     same.filter(|&before| motions.kind(before).cuts()).last().unwrap_or(index)
 }
 
-/// The T word of a motion.
+/// The T word of a station with the offset of a motion.
 fn tool_word(finding: &Finding, motions: &Motions, station: u16) -> String {
-    let offset = motions.get(finding.motion).process.tool.1;
+    t_word((station, motions.get(finding.motion).process.tool.1))
+}
+
+/// The T word of a station and an offset: `T0101`.
+fn t_word((station, offset): (u16, u16)) -> String {
     format!("T{station:02}{offset:02}")
 }
 
@@ -259,8 +261,7 @@ fn removal(unusual: &Unusual, motions: &Motions) -> Message {
     match unusual.removal {
         Removal::Nothing(Some(cycle)) => said::CycleCutsAir { code: cycle.code() }.into(),
         Removal::Nothing(None) => {
-            let (station, offset) = motions.get(unusual.motion).process.tool;
-            said::ToolCutsAir { tool: format!("T{station:02}{offset:02}") }.into()
+            said::ToolCutsAir { tool: t_word(motions.get(unusual.motion).process.tool) }.into()
         }
         Removal::TooDeep { depth, most } => {
             said::CutTooDeep { depth: tenth(depth), most: tenth(most) }.into()

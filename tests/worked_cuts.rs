@@ -59,7 +59,7 @@ fn a_tool_takes_something_off() {
     // A pass at the bar diameter, and a cut that repeats the last one.
     says("G00 X60 Z2\nG01 Z-30 F0.2\nX62", &[]);
     says("G00 X56 Z2\nG01 Z-30 F0.2\nX62\nG00 X200 Z200\nT0101\nG00 X56 Z2\nG01 Z-30 F0.1\nX62", &[]);
-    // A bar is seldom as long as it is said to be.
+    // A sawn bar may be longer than stated.
     says("G00 X62 Z3\nG01 X-1 F0.2\nG00 Z5", &[]);
     // The second tool cuts nothing; the first one does.
     says(

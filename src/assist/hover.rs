@@ -23,6 +23,7 @@ use crate::geometry::virtual_plane::Surface;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleStep, Motion, Motions, SpindleTurn, Step};
 use crate::playback::timing;
+use crate::run::replay::Visit;
 use crate::setup::dialect::{DecimalRule, FeedMode, PqUnit};
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
@@ -42,7 +43,7 @@ pub struct Hover {
     pub role: Option<Role>,
     /// Its value.
     pub quantity: Option<Quantity>,
-    /// At a code: what the block does.
+    /// The explanation of the block, at a code.
     pub block: Option<Explanation>,
     /// Further facts, the most important first.
     pub facts: Vec<Fact>,
@@ -93,7 +94,7 @@ impl<'a> Query<'a> {
         Some(hover)
     }
 
-    /// At a code: what the block does. At a code or an axis: why the block moves nothing.
+    /// Adds the explanation of the block at a code, and at a code or an axis the reason for no motion.
     fn about_block(&self, hover: &mut Hover, motions: &Motions) {
         let Some(visit) = self.visit.filter(|visit| visit.purpose.is_none()) else { return };
         let own = self.block.words.iter().find(|word| word.span == hover.span);
@@ -620,9 +621,8 @@ impl<'a> Query<'a> {
     /// Where the cut of a taper starts and ends, its angle, and where it would start with the other sign of R.
     fn about_taper(&self, role: Role, motions: &Motions, facts: &mut Vec<Fact>) {
         let Some(visit) = self.visit else { return };
-        let own = visit.motions.start..visit.motions.end.min(motions.len());
         let is_cut = |motion: &Motion| motion.cycle.is_some_and(|step| step.step == Step::Cut);
-        let Some(cut) = own.rev().map(|index| motions.get(index)).find(is_cut) else { return };
+        let Some(cut) = motions_of(visit, motions).rev().find(is_cut) else { return };
         let (along_x, along_z) = ((cut.to.x - cut.from.x).abs(), (cut.to.z - cut.from.z).abs());
         let (from, to) = if role == Role::TaperZ { (cut.from.z, cut.to.z) } else { (cut.from.x, cut.to.x) };
         if (from - to).abs() <= SAME {
@@ -643,8 +643,7 @@ impl<'a> Query<'a> {
     /// The number of passes in the block, and the position of the last one.
     fn about_passes(&self, motions: &Motions, facts: &mut Vec<Fact>) {
         let Some(visit) = self.visit else { return };
-        let own = visit.motions.start..visit.motions.end.min(motions.len());
-        let passes = own.map(|index| motions.get(index)).filter(|motion| motion.kind.cuts());
+        let passes = motions_of(visit, motions).filter(|motion| motion.kind.cuts());
         let passes: Vec<_> = passes
             .filter_map(|motion| Some((motion.cycle.filter(|step| step.pass > 0)?, motion.to.x)))
             .collect();
@@ -656,6 +655,12 @@ impl<'a> Query<'a> {
             facts.push(Fact::LastPass(Quantity::Diameter(Diameter::from_radius(*x))));
         }
     }
+}
+
+/// The motions of one execution of a block.
+fn motions_of<'a>(visit: &'a Visit, motions: &'a Motions) -> impl DoubleEndedIterator<Item = Motion> + 'a {
+    let own = visit.motions.start..visit.motions.end.min(motions.len());
+    own.map(|index| motions.get(index))
 }
 
 /// Relation of this pass of a taper to the previous one: another R to the same end, or the same R to another

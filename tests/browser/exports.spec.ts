@@ -117,7 +117,7 @@ test('the menu works by keyboard', async ({ page }) => {
   await open(page);
   await button(page).focus();
   await page.keyboard.press('Enter');
-  // The item of the page comes before those of the element.
+  // The page's item precedes the items of the element.
   const first = page.getByRole('menuitem', { name: 'Link, task, QR code…' });
   const last = page.getByRole('menuitem', { name: 'Expanded program (NC)' });
   await expect(first).toBeFocused();

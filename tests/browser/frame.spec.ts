@@ -1,7 +1,7 @@
 // The frame of the page: how many controls are visible, how much of the window is program and drawing, and that no two
 // controls overlap.
 import { chromiumTest as test, expect, type Page } from './engines';
-import { open, openProblems, play, type } from './page';
+import { linesInView, open, openProblems, play, type } from './page';
 
 /** What is measured in a window: controls in view, and the parts of the window that are program and drawing. */
 interface Measured {
@@ -133,14 +133,7 @@ test('with the list of problems open, at least 8 lines of the program are in vie
   await open(page);
   await type(page, OWN.replace('M30\n', `${'G01 X4O\n'.repeat(30)}M30\n`));
   await openProblems(page);
-  const lines = await page.locator('.cm-line').evaluateAll((lines) => {
-    const scroller = lines[0]?.closest('.cm-scroller')?.getBoundingClientRect();
-    return lines.filter((line) => {
-      const { top, bottom } = line.getBoundingClientRect();
-      return scroller !== undefined && top >= scroller.top - 1 && bottom <= scroller.bottom + 1;
-    }).length;
-  });
-  expect(lines).toBeGreaterThanOrEqual(8);
+  expect(await linesInView(page)).toBeGreaterThanOrEqual(8);
 });
 
 test('no two controls overlap in any width', async ({ page }) => {

@@ -271,3 +271,14 @@ export async function openReading(page: BasicPage): Promise<void> {
   if ((await reading(page).count()) === 0) await chip(page).click();
   await expect(reading(page)).toBeVisible();
 }
+
+/** Number of lines of the program that are fully in view. */
+export const linesInView = (page: BasicPage): Promise<number> =>
+  page.locator('.cm-line').evaluateAll(
+    (lines) =>
+      lines.filter((line) => {
+        const { top, bottom } = line.getBoundingClientRect();
+        const scroller = line.closest('.cm-scroller')?.getBoundingClientRect();
+        return scroller !== undefined && top >= scroller.top - 1 && bottom <= scroller.bottom + 1;
+      }).length,
+  );

@@ -292,7 +292,7 @@ test('panels and the editor that failed to load are loaded by a retry', async ({
 test('a part that fails just after the network has returned is loaded again', async ({ page }) => {
   let isBroken = true;
   await page.route(/\/assets\/further-[\w-]+\.js/, (route) => (isBroken ? route.abort() : route.continue()));
-  // Requests of the editor from before fail after the network has returned, and so do those of the next moment.
+  // Earlier requests for the editor fail after the network has returned, and so do requests in the next 500 ms.
   let fail = (): void => undefined;
   const failing = new Promise<void>((resolve) => (fail = resolve));
   let failsUntil = Number.POSITIVE_INFINITY;

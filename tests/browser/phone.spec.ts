@@ -1,7 +1,21 @@
 // On a phone and in dark mode: touch, a small screen and the system's colour scheme, which only Playwright can emulate.
 // The screenshots in test-results are for manual review, not goldens.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
-import { choose, drawing, editor, open, play, problems, problemsButton, status, tab, title, type, value } from './page';
+import {
+  choose,
+  drawing,
+  editor,
+  linesInView,
+  open,
+  play,
+  problems,
+  problemsButton,
+  status,
+  tab,
+  title,
+  type,
+  value,
+} from './page';
 
 test('a phone shows title, drawing, playback, program and tabs together, with no overflow', async ({
   browser,
@@ -75,14 +89,7 @@ test('above the keyboard of a phone are a row of keys and at least 8 lines of th
     const box = await key.boundingBox();
     expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(44);
   }
-  const lines = await page.locator('.cm-line').evaluateAll((lines) => {
-    const scroller = lines[0]?.closest('.cm-scroller')?.getBoundingClientRect();
-    return lines.filter((line) => {
-      const { top, bottom } = line.getBoundingClientRect();
-      return scroller !== undefined && top >= scroller.top - 1 && bottom <= scroller.bottom + 1;
-    }).length;
-  });
-  expect(lines).toBeGreaterThanOrEqual(8);
+  expect(await linesInView(page)).toBeGreaterThanOrEqual(8);
   await page.screenshot({ path: info.outputPath('typing.png') });
   await page.keyboard.press('Control+End');
   for (const key of ['G', 'X', '−', '.', ';']) await row.getByRole('button', { name: key, exact: true }).tap();

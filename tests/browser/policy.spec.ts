@@ -187,7 +187,7 @@ test('all features of the page work under its policy', async ({ page }) => {
     await page.keyboard.press('Escape');
   });
   for (const language of ['中文', 'Русский', 'English']) await choose(page, 'more', language);
-  // The items that the page adds to the menus: those of the element are pressed below.
+  // The items that the page adds to the menus; the items of the element are pressed below.
   const pressed = await page.evaluate(async () => {
     const items = document.querySelectorAll<HTMLElement>('gcode-playground > [slot$="-menu"] [role^="menuitem"]');
     for (const item of items) {

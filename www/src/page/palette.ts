@@ -1,7 +1,7 @@
 // The command palette: every action by name, the ones used last first.
 //
 // In: the commands of the element. Out: the command that the user chooses. Loaded when it is first opened. Must not
-// know: what a command does.
+// know: the effect of a command.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';

@@ -32,10 +32,30 @@ export function formatClock(seconds: number): string {
     : `${minutes}:${twoDigits(wholeSeconds % 60)}`;
 }
 
+/** What the time assumes, and what it does not include; empty if neither. */
+export function durationNote(
+  { unknownRapids, unknownCuts }: { readonly unknownRapids: number; readonly unknownCuts: number },
+  language: Language,
+): string {
+  const { rapidsAssumed, cutsUnknown } = WORDS[language];
+  const notes = [unknownRapids > 0 ? rapidsAssumed : '', unknownCuts > 0 ? cutsUnknown : ''];
+  return notes.filter((note) => note !== '').join(' ');
+}
+
 const WORDS = words({
-  en: { cuts: counter('en', { one: 'cut', other: 'cuts' }) },
-  zh: { cuts: (n) => `${n} 段切削` },
+  en: {
+    cuts: counter('en', { one: 'cut', other: 'cuts' }),
+    rapidsAssumed: 'The setup gives no rapid traverse rate: 8 m/min is assumed.',
+    cutsUnknown: 'How long some cuts take is not known: they have no feed rate, or the spindle is stopped.',
+  },
+  zh: {
+    cuts: (n) => `${n} 段切削`,
+    rapidsAssumed: '设置中没有给出快移速度，按 8 m/min 计算。',
+    cutsUnknown: '部分切削所需时间未知：没有进给量，或主轴未转动。',
+  },
   ru: {
+    rapidsAssumed: 'В наладке нет скорости ускоренного хода: взято 8 м/мин.',
+    cutsUnknown: 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.',
     cuts: counter('ru', { one: 'рабочий ход', few: 'рабочих хода', many: 'рабочих ходов', other: 'рабочего хода' }),
   },
 });

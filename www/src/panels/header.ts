@@ -1,7 +1,7 @@
 // The row at the top: the menus "Program", "Share", "Help" and "More", undo and redo.
 //
 // In: the items of the menus, which other panels and the host page (slots) provide. Out: undo and redo of the editor.
-// Must not know: what an item does.
+// Must not know: the effect of an item.
 
 import { icon, make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -82,7 +82,7 @@ class Header implements Panel {
 
   set language(language: Language) {
     const texts = WORDS[language];
-    this.#title.textContent = this.#shell.editor.file?.name ?? COMMON[language].program;
+    this.onFileChanged();
     for (const name of MENUS) this.#menus[name].label = name === 'program' ? COMMON[language].program : texts[name];
     this.#labels.share.textContent = texts.share;
     this.#labels.help.textContent = texts.help;

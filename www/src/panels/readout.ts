@@ -7,7 +7,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { LengthUnit, Readout } from '../protocol/protocol';
-import { formatClock, formatDuration } from './duration';
+import { durationNote, formatClock, formatDuration } from './duration';
 import { toUnit, formatCoordinate, formatSigned, unitSymbol } from './lengths';
 
 const NO_VALUE = '–';
@@ -106,10 +106,7 @@ export class ReadoutBoard {
     this.#spindle.value = this.#withUnit(readout?.rpm, 0, WORDS[this.#language].turns);
     this.#surface.value = this.#surfaceText(readout?.surfaceSpeed);
     this.#time.value = this.#timeText(readout);
-    this.#time.hint = WORDS[this.#language].unknownTime(
-      readout?.total.unknownRapids ?? 0,
-      readout?.total.unknownCuts ?? 0,
-    );
+    this.#time.hint = readout === undefined ? '' : durationNote(readout.total, this.#language);
     this.#tool.value = this.#toolText(readout);
   }
 
@@ -186,13 +183,6 @@ const WORDS = words({
     metres: 'm/min',
     feet: 'ft/min',
     notKnown: 'not known',
-    unknownTime: (rapids: number, cuts: number) =>
-      [
-        rapids > 0 ? 'The setup gives no rapid traverse rate: 8 m/min is assumed.' : '',
-        cuts > 0 ? 'How long some cuts take is not known: they have no feed rate, or the spindle is stopped.' : '',
-      ]
-        .join(' ')
-        .trim(),
     assumed: (tool: string) => `${tool}, assumed`,
   },
   zh: {
@@ -210,11 +200,6 @@ const WORDS = words({
     metres: 'm/min',
     feet: 'ft/min',
     notKnown: '未知',
-    unknownTime: (rapids, cuts) =>
-      [
-        rapids > 0 ? '设置中没有给出快移速度，按 8 m/min 计算。' : '',
-        cuts > 0 ? '部分切削所需时间未知：没有进给量，或主轴未转动。' : '',
-      ].join(''),
     assumed: (tool) => `${tool}（推测）`,
   },
   ru: {
@@ -233,13 +218,6 @@ const WORDS = words({
     metres: 'м/мин',
     feet: 'фут/мин',
     notKnown: 'неизвестно',
-    unknownTime: (rapids, cuts) =>
-      [
-        rapids > 0 ? 'В наладке нет скорости ускоренного хода: взято 8 м/мин.' : '',
-        cuts > 0 ? 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.' : '',
-      ]
-        .join(' ')
-        .trim(),
     assumed: (tool) => `${tool}, предположительно`,
   },
 });

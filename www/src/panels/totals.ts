@@ -8,7 +8,7 @@ import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
 import type { LengthUnit, Readout, Totals } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
-import { formatClock, formatDuration } from './duration';
+import { durationNote, formatClock, formatDuration } from './duration';
 import { toUnit, formatLength, unitSymbol } from './lengths';
 import type { Panel, PanelKind, Shell } from './panel';
 import totalsStyles from './totals.css?inline';
@@ -119,12 +119,9 @@ class TotalsPanel implements Panel {
     this.#body.replaceChildren(
       make('table', {}, make('thead', {}, make('tr', {}, ...head)), make('tbody', {}, ...rows)),
     );
-    const notes = [
-      all.unknownRapids > 0 ? texts.rapidsAssumed : '',
-      all.unknownCuts > 0 ? texts.cutsUnknown : '',
-    ].filter((note) => note !== '');
-    this.#notes.hidden = notes.length === 0;
-    this.#notes.textContent = notes.join(' ');
+    const note = durationNote(all, language);
+    this.#notes.hidden = note === '';
+    this.#notes.textContent = note;
     this.#showTime();
   }
 
@@ -153,8 +150,6 @@ const WORDS = words({
     columns: (unit: string) => ['Tool', 'Time', `Cut, ${unit}`, `Rapid, ${unit}`, 'X of the cuts, ⌀', 'Z of the cuts'],
     whole: 'All',
     noTool: '–',
-    rapidsAssumed: 'The setup gives no rapid traverse rate: 8 m/min is assumed.',
-    cutsUnknown: 'How long some cuts take is not known: they have no feed rate, or the spindle is stopped.',
   },
   zh: {
     time: (time) => `时间与合计：${time}`,
@@ -162,8 +157,6 @@ const WORDS = words({
     columns: (unit) => ['刀具', '时间', `切削，${unit}`, `快移，${unit}`, '切削 X 范围，⌀', '切削 Z 范围'],
     whole: '合计',
     noTool: '–',
-    rapidsAssumed: '设置中没有给出快移速度，按 8 m/min 计算。',
-    cutsUnknown: '部分切削所需时间未知：没有进给量，或主轴未转动。',
   },
   ru: {
     time: (time) => `Время и итоги: ${time}`,
@@ -171,7 +164,5 @@ const WORDS = words({
     columns: (unit) => ['Инструмент', 'Время', `Резание, ${unit}`, `Ускоренно, ${unit}`, 'X резания, ⌀', 'Z резания'],
     whole: 'Всего',
     noTool: '–',
-    rapidsAssumed: 'В наладке нет скорости ускоренного хода: взято 8 м/мин.',
-    cutsUnknown: 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.',
   },
 });
