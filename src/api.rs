@@ -902,6 +902,7 @@ fn passes(motions: &Motions, index: usize) -> Option<u32> {
 
 /// The row of a motion on a line (from 0).
 pub fn motion(motion: &motion::Motion, line: u32, machine: &Machine) -> Motion {
+    let motion = &motion.at_tip();
     let virtual_move = motion.virtual_move();
     let arc = match virtual_move {
         Some(VirtualMove { way: Way::Arc(arc), .. }) => Some(arc),

@@ -341,6 +341,9 @@ pub struct Process {
     pub frame: u16,
     /// Offset from programmed to workpiece coordinates, mm; zero if unknown. See [`Motion::on_workpiece`].
     pub zero: Point,
+    /// Position of the tip minus the programmed position, mm, X as a radius: the wear of the tool offset in
+    /// force, and what the program has changed in it. See [`Motion::at_tip`].
+    pub tip_shift: Point,
 }
 
 impl Process {
@@ -544,9 +547,20 @@ impl Motion {
         Motion { kind, from: over(self.from), to: over(self.to), center: self.center.map(over), ..self }
     }
 
-    /// The motion in the coordinates of the frame of the first cut (workpiece coordinates).
+    /// The motion of the tip in the coordinates of the frame of the first cut (workpiece coordinates).
     pub fn on_workpiece(mut self) -> Motion {
-        let by = std::mem::take(&mut self.process.zero);
+        let by = std::mem::take(&mut self.process.zero).moved(std::mem::take(&mut self.process.tip_shift));
+        self.moved(by)
+    }
+
+    /// The motion of the tip, in the coordinates of the frame in force.
+    pub fn at_tip(mut self) -> Motion {
+        let by = std::mem::take(&mut self.process.tip_shift);
+        self.moved(by)
+    }
+
+    /// The motion moved by a distance, with its programmed path.
+    fn moved(mut self, by: Point) -> Motion {
         if by == Point::default() {
             return self;
         }
@@ -681,7 +695,7 @@ pub struct Chunk {
     rows: Vec<Row>,
     blocks: Vec<BlockPlace>,
     processes: Vec<Process>,
-    /// Whether any process has a zero other than that of the workpiece.
+    /// Whether any process has a zero other than that of the workpiece, or a shift of the tip.
     is_moved: bool,
     centers: Vec<Point>,
     numbers: Vec<f64>,
@@ -812,7 +826,7 @@ impl Chunk {
     pub fn begin_process(&mut self, process: &Process) {
         if self.processes.last() != Some(process) {
             self.processes.push(*process);
-            self.is_moved |= process.zero != Point::default();
+            self.is_moved |= process.zero != Point::default() || process.tip_shift != Point::default();
         }
     }
 
@@ -978,7 +992,8 @@ impl Chunk {
         let plain = straight && look_up(&self.rotary, index).is_none();
         let (from, to) = plain.then(|| (self.from(index), Point::new(self.x[index], self.z[index])))?;
         Some(if self.is_moved {
-            let by = self.own_process(index).zero;
+            let Process { zero, tip_shift, .. } = self.own_process(index);
+            let by = zero.moved(*tip_shift);
             (from.moved(by), to.moved(by))
         } else {
             (from, to)

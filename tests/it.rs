@@ -76,6 +76,7 @@ mod worked_cuts;
 mod worked_frames;
 mod worked_inference;
 mod worked_live_rapids;
+mod worked_offsets;
 mod worked_pictures;
 mod worked_planes;
 mod worked_reading;

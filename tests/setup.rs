@@ -49,10 +49,12 @@ prop_compose! {
         (nose_radius, tool_radius, geometry_r, point_angle) in (maybe(), maybe(), maybe(), maybe()),
         (entering_angle, edge_length, width, diameter) in (maybe(), maybe(), maybe(), maybe_diameter()),
         (reach, shank, angle) in (maybe(), maybe(), maybe()),
+        (geometry_x, geometry_z, wear_x) in (maybe_diameter(), maybe(), maybe_diameter()),
+        (wear_z, wear_r) in (maybe(), maybe()),
     ) -> Tool {
         Tool {
             nose_radius, tip, tool_radius, geometry_r, kind, side, insert, point_angle, entering_angle, edge_length,
-            width, diameter, reach, shank, angle,
+            width, diameter, reach, shank, angle, geometry_x, geometry_z, wear_x, wear_z, wear_r,
         }
     }
 }

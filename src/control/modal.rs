@@ -407,7 +407,8 @@ impl Reported {
 pub struct State {
     /// Position of the tip in the work frame in force.
     pub position: Point,
-    /// Actual position of the tip, if compensation has just left it beside the programmed point.
+    /// Where the next motion starts, if that is not the programmed point: compensation has just left the tip
+    /// beside it, or another tool offset is in force.
     pub tip: Option<Point>,
     /// Angle of C, degrees, outside a virtual plane.
     pub c: f64,
@@ -419,6 +420,8 @@ pub struct State {
     pub frames: Frames,
     /// The tool offsets that the program wrote.
     pub offsets: ToolOffsets,
+    /// Position of the tip minus the programmed position, as [`Process::tip_shift`].
+    pub tip_shift: Point,
     /// Intermediate point of the last G28 or G30.
     pub intermediate: Option<Point>,
     /// Group 01.
@@ -500,6 +503,7 @@ impl State {
             virtual_plane: None,
             frames: Frames::default(),
             offsets: ToolOffsets::default(),
+            tip_shift: Point::default(),
             intermediate: None,
             motion: MotionMode::Rapid,
             hole: None,
@@ -645,6 +649,14 @@ impl State {
         }
     }
 
+    /// Puts a tool offset in force. The tip does not move: the next motion starts where it is.
+    pub fn set_tip_shift(&mut self, shift: Point) {
+        let before = std::mem::replace(&mut self.tip_shift, shift);
+        let by = Point::new(before.x - shift.x, before.z - shift.z);
+        let start = self.tip.unwrap_or(self.position).moved(by);
+        self.tip = (!start.is_same(self.position)).then_some(start);
+    }
+
     /// Whether the next motion may differ from the motion that this state gives.
     #[cold]
     fn is_path_doubtful(&self) -> bool {
@@ -676,6 +688,7 @@ impl State {
             still: spindle.is_still() && !self.c_axis && self.virtual_plane.is_none(),
             frame: self.frames.active,
             zero: self.frames.on_workpiece(),
+            tip_shift: self.tip_shift,
         }
     }
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::geometry::{Point, SAME};
 use crate::motion::LeftFrame;
+use crate::setup::tool::LARGEST_WEAR;
 
 /// Number of frames of G54 to G59; the frames of G54.1 P1 and up follow them.
 pub const STANDARD_FRAMES: u16 = 6;
@@ -230,29 +231,64 @@ pub enum Column {
     Tip,
 }
 
+/// An entry of the tool offset table that the program has written. X values are diameters, as in the table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Entry {
+    /// Value, mm.
+    value: f64,
+    /// The value with which the tip is at the programmed position, mm: the length of the tool as it was
+    /// measured, or 0 for wear.
+    neutral: f64,
+}
+
 /// The entries of the tool offset table that the program has written, sorted by number and column. All other
 /// entries are as in the setup.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct ToolOffsets(Arc<Vec<((u16, Column), f64)>>);
+pub struct ToolOffsets(Arc<Vec<((u16, Column), Entry)>>);
 
 /// Largest offset number.
 pub const OFFSETS: u16 = 999;
 
 impl ToolOffsets {
-    /// The written value, mm (X values as diameters, as in the table).
-    pub fn get(&self, offset: u16, column: Column) -> Option<f64> {
-        self.find(offset, column).ok().map(|at| self.0[at].1)
+    /// Whether the program has written no entry.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
-    /// Writes an entry; ignores numbers above [`OFFSETS`].
-    pub fn set(&mut self, offset: u16, column: Column, value: f64) {
-        if (1..=OFFSETS).contains(&offset) {
-            let at = self.find(offset, column);
-            let entries = Arc::make_mut(&mut self.0);
-            match at {
-                Ok(at) => entries[at].1 = value,
-                Err(at) => entries.insert(at, ((offset, column), value)),
-            }
+    /// The written value, mm (X values as diameters, as in the table).
+    pub fn get(&self, offset: u16, column: Column) -> Option<f64> {
+        self.find(offset, column).ok().map(|at| self.0[at].1.value)
+    }
+
+    /// Distance by which a written entry moves the tip, mm (X as a diameter).
+    pub fn tip_shift(&self, offset: u16, column: Column) -> Option<f64> {
+        let Entry { value, neutral } = self.0[self.find(offset, column).ok()?].1;
+        Some(value - neutral)
+    }
+
+    /// Writes an entry, mm; ignores numbers above [`OFFSETS`]. `length` is the length of the tool that the
+    /// setup gives in this column, if any.
+    ///
+    /// The length of a tool does not move its tip, so the first one that a program enters moves nothing if the
+    /// setup gives none. A later one, or one computed from the value before, does.
+    pub fn set(&mut self, offset: u16, column: Column, value: f64, length: Option<f64>, setting: Setting) {
+        if !(1..=OFFSETS).contains(&offset) {
+            return;
+        }
+        let at = self.find(offset, column);
+        let entries = Arc::make_mut(&mut self.0);
+        let is_wear = matches!(column, Column::WearX | Column::WearZ);
+        let known = at.map_or(length, |at| Some(entries[at].1.neutral));
+        let neutral = match setting {
+            // A larger value is the length of a tool, on controls whose table has one column for both.
+            _ if is_wear && value.abs() <= LARGEST_WEAR => 0.0,
+            Setting::Absolute => known.filter(|known| !is_wear || *known != 0.0).unwrap_or(value),
+            Setting::Relative => known.unwrap_or(0.0),
+        };
+        let entry = Entry { value, neutral };
+        match at {
+            Ok(at) => entries[at].1 = entry,
+            Err(at) => entries.insert(at, ((offset, column), entry)),
         }
     }
 

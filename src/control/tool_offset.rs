@@ -1,11 +1,68 @@
-//! The tool offset in force: the tool nose according to setup and program.
+//! The tool offset in force, according to setup and program.
 //!
-//! In: state and setup. Out: radius and tip direction.
+//! In: state and setup. Out: the tool nose, its radius and tip direction; the shift of the tip.
 
 use super::compensation::Nose;
 use super::modal::State;
 use super::offsets::Column;
-use crate::setup::{Setup, Tool};
+use crate::geometry::Point;
+use crate::parts::early;
+use crate::setup::{DescribedNose, Setup, Tool};
+use crate::units::Diameter;
+
+early! {
+    fn shift(state: &State, setup: &Setup) -> Point {
+        tip_shift(state, setup)
+    }
+}
+
+/// Position of the tip minus the programmed position with the offset in force, mm, X as a radius.
+///
+/// Coordinates are positions of the tip, so the length of a tool (the geometry X and Z of the setup) moves
+/// nothing. Wear does, and so does a change of the geometry by the program. Offset 00 cancels both.
+#[inline]
+pub fn tip_shift_in_force(state: &State, setup: &Setup) -> Point {
+    if setup.tools.is_empty() && state.offsets.is_empty() { Point::default() } else { shift(state, setup) }
+}
+
+fn tip_shift(state: &State, setup: &Setup) -> Point {
+    let (station, offset) = state.tool;
+    if offset == 0 {
+        return Point::default();
+    }
+    let tool = tool_of(setup, station, offset);
+    let written = |column| state.offsets.tip_shift(offset, column);
+    let along = |wear, given: Option<f64>, geometry| {
+        written(wear).or(given).unwrap_or(0.0) + written(geometry).unwrap_or(0.0)
+    };
+    let wear_x = tool.and_then(|tool| tool.wear_x).map(Diameter::mm);
+    Point::new(
+        Diameter::new(along(Column::WearX, wear_x, Column::X)).radius(),
+        along(Column::WearZ, tool.and_then(|tool| tool.wear_z), Column::Z),
+    )
+}
+
+/// The tool with an offset: that of the station, or else any tool with this offset number, because the table
+/// of the control has one row for each number.
+fn tool_of(setup: &Setup, station: u16, offset: u16) -> Option<&Tool> {
+    let ends = |key: &str| key.len() == 5 && key.is_ascii() && key[3..].parse() == Ok(offset);
+    let own = setup.tools.get(&format!("T{station:02}{offset:02}"));
+    own.or_else(|| setup.tools.iter().find(|(key, _)| ends(key)).map(|(_, tool)| tool))
+}
+
+/// A tool offset of the setup, mm (X values as diameters, as in the table).
+pub fn setup_offset(setup: &Setup, station: u16, offset: u16, column: Column) -> Option<f64> {
+    let tool = tool_of(setup, station, offset)?;
+    match column {
+        Column::WearX => tool.wear_x.map(Diameter::mm),
+        Column::WearZ => tool.wear_z,
+        Column::WearRadius => tool.wear_r,
+        Column::X => tool.geometry_x.map(Diameter::mm),
+        Column::Z => tool.geometry_z,
+        Column::Radius => Some(tool.compensation_radius()),
+        Column::Tip => Some(f64::from(tool.tip_direction())),
+    }
+}
 
 /// Radius (mm; negative if the offset reverses the side of compensation) and tip direction of the offset in
 /// force. Values written by the program override the setup.
@@ -15,10 +72,17 @@ pub fn nose_entry(state: &State, setup: &Setup) -> (f64, u8) {
         return (0.0, 0);
     }
     let tool: Option<&Tool> = setup.tools.get(&format!("T{station:02}{offset:02}"));
-    let (radius, tip) = tool.map_or((0.0, 0), |tool| (tool.compensation_radius(), tool.tip_direction()));
+    let described = described_nose(setup, station).map_or((0.0, 0), |nose| (nose.radius, nose.tip));
+    let (radius, tip) = tool.map_or(described, |tool| (tool.compensation_radius(), tool.tip_direction()));
     let written = |column| state.offsets.get(offset, column);
-    let radius = written(Column::Radius).unwrap_or(radius) + written(Column::WearRadius).unwrap_or(0.0);
+    let wear = tool.and_then(|tool| tool.wear_r).unwrap_or(0.0);
+    let radius = written(Column::Radius).unwrap_or(radius) + written(Column::WearRadius).unwrap_or(wear);
     (radius, written(Column::Tip).map_or(tip, |tip| tip as u8))
+}
+
+/// The nose of a tool that only a comment describes.
+fn described_nose(setup: &Setup, station: u16) -> Option<&DescribedNose> {
+    setup.described_noses.iter().find(|nose| nose.station == station)
 }
 
 /// The offset in force, if neither the setup nor the program defines it: the machine's own table may.
@@ -33,7 +97,7 @@ pub fn unknown(state: &State, setup: &Setup) -> Option<u16> {
 pub fn unknown_radius(state: &State, setup: &Setup) -> Option<u16> {
     let (station, offset) = state.tool;
     let tool = setup.tools.get(&format!("T{station:02}{offset:02}"));
-    let known = tool.is_some_and(Tool::has_compensation_radius)
+    let known = tool.map_or(described_nose(setup, station).is_some(), Tool::has_compensation_radius)
         || state.offsets.get(offset, Column::Radius).is_some()
         || state.offsets.get(offset, Column::WearRadius).is_some();
     (offset != 0 && !known).then_some(offset)

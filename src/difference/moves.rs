@@ -262,7 +262,8 @@ fn is_same(first: &Motion, second: &Motion) -> bool {
     let of = |motion: &Motion| (motion.lead, motion.lead_change, motion.start_angle, motion.seconds);
     let numbers = of(first) == of(second);
     let tools = first.process.tool == second.process.tool;
-    let is_same_place = is_near(first.process.zero, second.process.zero);
+    let is_same_place = is_near(first.process.zero, second.process.zero)
+        && is_near(first.process.tip_shift, second.process.tip_shift);
     ways && numbers && tools && is_same_place && (!first.kind.cuts() || cut(first, second).is_empty())
 }
 

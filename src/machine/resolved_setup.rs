@@ -12,7 +12,7 @@ use super::tool::{Action, DRILL, Shape, over_edge};
 use super::tool_use::Purpose;
 use crate::geometry::{Point, SAME};
 use crate::motion::{CycleFamily, Motion, Motions};
-use crate::setup::{Setup, Side, Stock, Tool, ToolKind};
+use crate::setup::{DescribedNose, Setup, Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
 
 /// The origin of a tool or a blank.
@@ -70,7 +70,8 @@ impl ResolvedSetup {
             InferredSetup::with(motions, &setup.described_tools, setup.described_stock, setup.stock);
         let leads = leads(motions);
         let for_pitch = |station: u16, tool: &Tool| for_pitch(tool, leads.get(&station).copied());
-        let given = setup.tools.iter().filter_map(|(name, tool)| {
+        let shaped = setup.tools.iter().filter(|(_, tool)| !tool.has_only_offsets());
+        let given = shaped.filter_map(|(name, tool)| {
             let (station, offset) = station_of(name)?;
             Some((station, offset, ResolvedTool::given(station, for_pitch(station, tool))))
         });
@@ -83,7 +84,9 @@ impl ResolvedSetup {
             .map(|motion| (motion.process.tool.0, Purpose::of(&motion)))
             .collect();
         let inferred_tools = inferred.tools().map(|(station, purpose, tool)| {
-            let mut tool = ResolvedTool::inferred(station, for_pitch(station, tool));
+            let nose = setup.described_noses.iter().find(|nose| nose.station == station);
+            let tool = nose.map_or_else(|| tool.clone(), |nose| with_nose(tool, nose));
+            let mut tool = ResolvedTool::inferred(station, for_pitch(station, &tool));
             if unknown_uses.contains(&(station, purpose)) {
                 tool.basis = Basis::Unknown;
             }
@@ -242,6 +245,16 @@ fn inner(tool: &Tool, edge: &Outline) -> Outline {
         Side::Face => Point::new(0.0, 1.0),
     };
     edge.beyond(DEPTH, inwards)
+}
+
+/// An inferred tool with the nose that a comment describes, because compensation uses it, too.
+fn with_nose(tool: &Tool, nose: &DescribedNose) -> Tool {
+    match tool.kind {
+        Some(ToolKind::Turning | ToolKind::Boring) => {
+            Tool { nose_radius: Some(nose.radius), tip: Some(nose.tip), ..tool.clone() }
+        }
+        _ => tool.clone(),
+    }
 }
 
 /// Station and offset of a T word such as `T0101`.

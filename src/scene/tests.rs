@@ -94,6 +94,7 @@ impl Path {
             still: false,
             frame: 0,
             zero: Point::default(),
+            tip_shift: Point::default(),
         };
         let (lead, seconds) = (None, None);
         self.list.push(Motion {

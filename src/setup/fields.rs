@@ -76,7 +76,12 @@ pub enum Name {
     Shank,
     Angle,
     ToolRadius,
+    GeometryX,
+    GeometryZ,
     GeometryR,
+    WearX,
+    WearZ,
+    WearR,
     StartX,
     StartZ,
     CenterZ,
@@ -271,6 +276,13 @@ const MM_A_MINUTE: Entry = Number(Unit::MillimetrePerMinute);
 const ANGLED: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring];
 const INSERTS: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring, ToolKind::Threading];
 const SIDED: &[ToolKind] = &[ToolKind::Grooving, ToolKind::Threading];
+const RADIUSED: &[ToolKind] = &[
+    ToolKind::Turning,
+    ToolKind::Boring,
+    ToolKind::Grooving,
+    ToolKind::Threading,
+    ToolKind::Endmill,
+];
 const POINTED: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring, ToolKind::Grooving, ToolKind::Threading];
 
 /// The blank: `(STOCK D=65 LENGTH=80)`.
@@ -344,7 +356,12 @@ pub const TOOL: &[Field<Tool>] = &[
     tool(Name::Shank, "shank", "SHANK", MM, measure!(shank)).of(&[ToolKind::Boring]),
     tool(Name::Angle, "angle", "ANGLE", DEGREES, measure!(angle)).of(&[ToolKind::Threading, ToolKind::Drill]),
     tool(Name::ToolRadius, "toolRadius", "CUTTER", MM, measure!(tool_radius)).of(&[ToolKind::Endmill]),
-    tool(Name::GeometryR, "geometryR", "OFFSETR", MM, measure!(geometry_r)).of(&[ToolKind::Endmill]),
+    tool(Name::GeometryX, "geometryX", "OFFSETX", MM, measure!(geometry_x)),
+    tool(Name::GeometryZ, "geometryZ", "OFFSETZ", MM, measure!(geometry_z)),
+    tool(Name::GeometryR, "geometryR", "OFFSETR", MM, measure!(geometry_r)).of(RADIUSED),
+    tool(Name::WearX, "wearX", "WEARX", MM, measure!(wear_x)),
+    tool(Name::WearZ, "wearZ", "WEARZ", MM, measure!(wear_z)),
+    tool(Name::WearR, "wearR", "WEARR", MM, measure!(wear_r)).of(RADIUSED),
 ];
 
 /// Position of the tip before the first block: `(START X=200 Z=200)`.

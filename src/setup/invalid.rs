@@ -3,6 +3,7 @@
 //! In: a setup as it was read. Out: the invalid values, and the setup without them, so that every setup can
 //! be run and drawn.
 
+use super::tool::LARGEST_WEAR;
 use super::{Machine, Setup, Stock, Tool};
 use crate::message::{Message, said};
 use crate::parts::early;
@@ -106,6 +107,14 @@ impl Checker {
         self.at(key("shank"), tool.shank, &LENGTH);
         self.at(key("toolRadius"), tool.tool_radius, &RADIUS);
         self.at(key("geometryR"), tool.geometry_r, &RADIUS);
+        for (name, length) in [("geometryX", tool.geometry_x.map(Diameter::mm)), ("geometryZ", tool.geometry_z)] {
+            self.at(key(name), length.map(f64::abs), &[Requirement::AtMost(LONGEST)]);
+        }
+        for (name, wear) in
+            [("wearX", tool.wear_x.map(Diameter::mm)), ("wearZ", tool.wear_z), ("wearR", tool.wear_r)]
+        {
+            self.at(key(name), wear.map(f64::abs), &[Requirement::AtMost(LARGEST_WEAR)]);
+        }
         self.at(key("angle"), tool.angle, &[Requirement::Positive, Requirement::AtMost(180.0)]);
         if let (Some(width), Some(nose)) = (tool.width, tool.nose_radius) {
             self.at(key("noseRadius"), Some(nose), &[Requirement::AtMost(width / 2.0)]);

@@ -7,8 +7,10 @@ pub mod as_comments;
 pub mod dialect;
 pub mod draft;
 pub mod fields;
+mod first_unit;
 pub mod invalid;
 pub mod machine;
+mod nose_comment;
 pub mod notes;
 pub mod profile;
 mod side;
@@ -27,6 +29,7 @@ use crate::parts::early;
 use crate::units::Diameter;
 use dialect::DialectChoice;
 pub use machine::{Machine, Tailstock, Travel, Turret};
+pub use nose_comment::DescribedNose;
 pub use side::Side;
 pub use stock::{DescribedStock, Stock};
 pub use tool::{Tool, ToolKind};
@@ -45,6 +48,10 @@ pub struct Setup {
     /// has them only in the setup for its machine (`Run::setup_at_machine`).
     #[serde(skip)]
     pub described_tools: BTreeMap<u16, Tool>,
+    /// The noses of tools described by prose in comments: compensation uses them if `tools` lacks the tool.
+    /// Never in a file.
+    #[serde(skip)]
+    pub described_noses: Vec<DescribedNose>,
     /// The blank described by prose in comments.
     #[serde(skip)]
     pub described_stock: DescribedStock,
@@ -105,6 +112,7 @@ impl Clone for Setup {
             initial: self.initial,
             tools: BTreeMap::new(),
             described_tools: BTreeMap::new(),
+            described_noses: self.described_noses.clone(),
             described_stock: self.described_stock,
             stock: self.stock,
             tailstock: self.tailstock,

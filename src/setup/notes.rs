@@ -19,7 +19,9 @@
 use std::borrow::Cow;
 
 use super::fields::{self, Field, Name};
+use super::first_unit;
 use super::invalid::InvalidValue;
+use super::nose_comment::{self, DescribedNose};
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::message::levels::{self, known};
 use crate::message::{Diagnostic, Fix, Levels, Severity, said};
@@ -48,6 +50,8 @@ pub struct Notes {
     pub dialect: DialectChoice,
     /// The severity of rules.
     pub rules: Levels,
+    /// The noses of tools described by prose.
+    pub noses: Vec<DescribedNose>,
     /// The words that cannot be read.
     pub unreadable: Vec<UnreadableWord>,
     /// The span of each note, with the beginning of its key in a setup, such as `stock.`.
@@ -112,7 +116,7 @@ impl Keyword {
 }
 
 /// The words of a tool note.
-pub const TOOL_WORDS: &str = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL), SIDE=OUTSIDE (INSIDE, FACE), INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=, CUTTER=, OFFSETR=";
+pub const TOOL_WORDS: &str = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL), SIDE=OUTSIDE (INSIDE, FACE), INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=, CUTTER=, OFFSETX=, OFFSETZ=, OFFSETR=, WEARX=, WEARZ=, WEARR=";
 
 /// The words of a rules note.
 pub const RULE_WORDS: &str = "CLASSROOM=OFF (INFO, WARNING, ERROR)";
@@ -135,7 +139,8 @@ impl Notes {
     /// Whether a text may have notes; only then reading them needs the part `Early` of the module. Never
     /// false if there are notes.
     pub fn may_contain_notes(text: &[u8]) -> bool {
-        comments(text).any(|comment| comment.keyword().is_some())
+        comments(text)
+            .any(|comment| comment.keyword().is_some() || nose_comment::may_describe(comment.inside))
     }
 
     /// Whether the notes of a text can be read now: there are none, or the part that reads them is loaded.
@@ -145,7 +150,7 @@ impl Notes {
 
     /// The setup with its values overridden by the notes.
     pub fn applied_to(&self, setup: Setup) -> Setup {
-        if self.places.is_empty() { setup } else { applied(self, setup) }
+        if self.places.is_empty() && self.noses.is_empty() { setup } else { applied(self, setup) }
     }
 
     /// The diagnostics of the notes; `invalid` are the invalid values of the whole setup.
@@ -162,7 +167,7 @@ impl Notes {
         if Self::may_contain_notes(text) {
             match_text(self, text)
         } else {
-            self.places.is_empty() && self.unreadable.is_empty()
+            *self == Self::default()
         }
     }
 
@@ -304,8 +309,12 @@ early! {
     fn read(text: &[u8]) -> Notes {
         let mut notes = Notes::default();
         for comment in comments(text) {
-            if let (Some(keyword), Ok(inside)) = (comment.keyword(), std::str::from_utf8(comment.inside)) {
+            let Ok(inside) = std::str::from_utf8(comment.inside) else { continue };
+            if let Some(keyword) = comment.keyword() {
                 notes.note(keyword, inside, comment.start);
+            } else if nose_comment::may_describe(comment.inside) {
+                let head = String::from_utf8_lossy(&text[..text.len().min(HEAD)]);
+                notes.noses.extend(nose_comment::read(inside, first_unit::unit_of(&head)));
             }
         }
         notes
@@ -326,6 +335,7 @@ early! {
             dialect: fields::over(fields::DIALECT, setup.dialect, &notes.dialect),
             rules: setup.rules.with(&notes.rules).with(&setup.forced_rules),
             tools,
+            described_noses: notes.noses.clone(),
             ..setup
         }
     }

@@ -7,6 +7,9 @@ use super::thread_insert::ThreadInsert;
 use crate::parts::early;
 use crate::units::Diameter;
 
+/// Largest wear value, mm (FANUC parameter 5013).
+pub const LARGEST_WEAR: f64 = 9.999;
+
 /// A tool as on a setup sheet. Missing values have the default of its kind.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
@@ -19,6 +22,16 @@ pub struct Tool {
     pub tool_radius: Option<f64>,
     /// The R entry of the geometry offset, mm.
     pub geometry_r: Option<f64>,
+    /// X of the geometry offset: the length of the tool, mm.
+    pub geometry_x: Option<Diameter>,
+    /// Z of the geometry offset: the length of the tool, mm.
+    pub geometry_z: Option<f64>,
+    /// X of the wear offset, mm.
+    pub wear_x: Option<Diameter>,
+    /// Z of the wear offset, mm.
+    pub wear_z: Option<f64>,
+    /// R of the wear offset, mm: added to the nose radius that compensation uses.
+    pub wear_r: Option<f64>,
     /// Kind of the tool.
     #[serde(rename = "type")]
     pub kind: Option<ToolKind>,
@@ -167,6 +180,20 @@ impl Tool {
             (Some(ToolKind::Threading), Side::Outside | Side::Face) => 8,
             (Some(ToolKind::Threading), Side::Inside) => 6,
         })
+    }
+
+    /// Whether it gives only tool lengths and wear, so that its shape is inferred as that of a tool that is not
+    /// given.
+    pub fn has_only_offsets(&self) -> bool {
+        let shape = Self {
+            geometry_x: None,
+            geometry_z: None,
+            wear_x: None,
+            wear_z: None,
+            wear_r: None,
+            ..self.clone()
+        };
+        shape == Self::default()
     }
 
     /// Radius of a rotating cutter, mm: as given, or half of its diameter.

@@ -17,10 +17,16 @@ use crate::text::block::Block;
 use crate::units::Diameter;
 
 impl Interpreter {
-    /// A reference point in the work frame.
+    /// Programmed position that brings the tip to the reference point.
     fn reference_point(&self) -> Point {
-        let (offset, home) = (self.state.frames.offset(), self.dialect.ref_point);
-        Point::new(home.x.radius() - offset.x, home.z - offset.z)
+        let home = self.dialect.ref_point;
+        self.of_machine(Point::new(home.x.radius(), home.z))
+    }
+
+    /// Programmed position that brings the tip to a machine position.
+    fn of_machine(&self, place: Point) -> Point {
+        let (offset, shift) = (self.state.frames.offset(), self.state.tip_shift);
+        Point::new(place.x - offset.x - shift.x, place.z - offset.z - shift.z)
     }
 
     /// G28, and G30 to the other reference points. The reference point of Y is over the spindle axis.
@@ -123,13 +129,13 @@ impl Interpreter {
             return;
         }
         request.moved = true;
-        let (from, offset) = (self.state.position, self.state.frames.offset());
+        let from = self.state.position;
         // Most machines measure from their reference point, where the slides are fully retracted. Coordinates
         // at zero or below are measured from there, because in the work frame they would be inside the chuck.
         let from_reference = x.unwrap_or(0.0) <= 0.0 && z.unwrap_or(0.0) <= 0.0;
         let zero = match from_reference {
             true => self.reference_point(),
-            false => Point::new(-offset.x, -offset.z),
+            false => self.of_machine(Point::default()),
         };
         if from_reference
             && !self.dialect.ref_point_given
@@ -229,13 +235,15 @@ impl Interpreter {
         };
         let entries = [(x, b'X', b'U'), (z, b'Z', b'W'), (radius, b'R', b'C')];
         for (column, absolute, incremental) in entries {
-            let old = self.offset_value(offset, column);
-            if let Some(value) = length(absolute).or(length(incremental).map(|more| old + more)) {
-                self.state.offsets.set(offset, column, value);
+            if let Some(value) = length(absolute) {
+                self.set_offset(offset, column, value, Setting::Absolute);
+            } else if let Some(more) = length(incremental) {
+                let value = self.offset_value(offset, column) + more;
+                self.set_offset(offset, column, value, Setting::Relative);
             }
         }
         if let Some(tip) = words.get(b'Q').and_then(plain) {
-            self.state.offsets.set(offset, Column::Tip, tip);
+            self.set_offset(offset, Column::Tip, tip, Setting::Absolute);
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::control::contour::ContourUse;
 use crate::control::events::Event;
 use crate::control::modal::Once;
 use crate::control::offsets::{EXTENDED_FRAMES, STANDARD_FRAMES};
+use crate::control::tool_offset;
 use crate::control::words::{Words, as_meant, letters, plain, quote};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Message, Severity, said};
@@ -132,6 +133,16 @@ impl Interpreter {
             _ => station as u16,
         };
         self.state.tool = (station, offset as u16);
+        self.update_tip_shift();
+    }
+
+    /// Applies the offset in force, after a T word or a change of the offset table.
+    pub(super) fn update_tip_shift(&mut self) {
+        let shift = tool_offset::tip_shift_in_force(&self.state, &self.setup);
+        if shift != self.state.tip_shift {
+            self.leave_compensation();
+            self.state.set_tip_shift(shift);
+        }
     }
 
     /// G04.

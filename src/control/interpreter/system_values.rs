@@ -5,7 +5,8 @@
 use super::Interpreter;
 use crate::control::codes::{Compensation, Plane};
 use crate::control::modal::State;
-use crate::control::offsets::{Column, EXTENDED_FRAMES, STANDARD_FRAMES};
+use crate::control::offsets::{Column, EXTENDED_FRAMES, STANDARD_FRAMES, Setting};
+use crate::control::tool_offset;
 use crate::geometry::Point;
 use crate::message::{Diagnostic, said};
 use crate::setup::dialect::FeedMode;
@@ -163,7 +164,9 @@ impl Interpreter {
             }
             System::Work(3) | System::Machine(3) => state.place_of_c(),
             System::Work(axis) => coordinate(state.turning_place(), axis),
-            System::Machine(axis) => coordinate(state.turning_place().moved(offset), axis),
+            System::Machine(axis) => {
+                coordinate(state.turning_place().moved(offset).moved(state.tip_shift), axis)
+            }
             System::External(axis) => coordinate(state.frames.external, axis),
             System::Frame(frame, axis) => coordinate(state.frames.work(frame), axis),
             System::Offset(offset, column) => {
@@ -176,18 +179,21 @@ impl Interpreter {
 
     /// A column of a tool offset, mm: as written by the program, otherwise as in the setup.
     pub(super) fn offset_value(&self, offset: u16, column: Column) -> f64 {
-        self.state.offsets.get(offset, column).unwrap_or_else(|| self.setup_offset(offset, column))
+        self.state.offsets.get(offset, column).or_else(|| self.setup_offset(offset, column)).unwrap_or(0.0)
     }
 
-    /// A tool offset of the setup, mm.
-    fn setup_offset(&self, offset: u16, column: Column) -> f64 {
-        let ends = |key: &str| key.len() == 5 && key[3..].parse() == Ok(offset);
-        let tool = self.setup.tools.iter().find(|(key, _)| key.is_ascii() && ends(key)).map(|(_, tool)| tool);
-        match (tool, column) {
-            (Some(tool), Column::Radius) => tool.compensation_radius(),
-            (Some(tool), Column::Tip) => f64::from(tool.tip_direction()),
-            _ => 0.0,
-        }
+    /// Writes a column of a tool offset, mm.
+    pub(super) fn set_offset(&mut self, offset: u16, column: Column, value: f64, setting: Setting) {
+        let length = match column {
+            Column::X | Column::Z => self.setup_offset(offset, column),
+            _ => None,
+        };
+        self.state.offsets.set(offset, column, value, length, setting);
+        self.update_tip_shift();
+    }
+
+    fn setup_offset(&self, offset: u16, column: Column) -> Option<f64> {
+        tool_offset::setup_offset(&self.setup, self.state.tool.0, offset, column)
     }
 
     /// Ten times the G code in force in a modal group.

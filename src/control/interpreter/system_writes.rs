@@ -30,8 +30,10 @@ impl Interpreter {
                 let change = |zero: &mut Point| set_axis(zero, axis, value * unit);
                 self.set_zero(frame, setting, change, block.words_span());
             }
-            Some(System::Offset(offset, Column::Tip)) => self.state.offsets.set(offset, Column::Tip, value),
-            Some(System::Offset(offset, column)) => self.state.offsets.set(offset, column, value * unit),
+            Some(System::Offset(offset, Column::Tip)) => {
+                self.set_offset(offset, Column::Tip, value, setting);
+            }
+            Some(System::Offset(offset, column)) => self.set_offset(offset, column, value * unit, setting),
             Some(System::Kept) => {
                 std::sync::Arc::make_mut(&mut self.state.system).insert(variable, value);
             }

@@ -70,8 +70,16 @@ export interface SetupTool {
   readonly angle?: number;
   /** Radius of a live milling cutter. */
   readonly toolRadius?: number;
-  /** R of the geometry offset. */
+  /** Geometry offset: the length of the tool, X as a diameter. It moves neither path nor part. */
+  readonly geometryX?: number;
+  readonly geometryZ?: number;
+  /** R of the geometry offset, which compensation uses. */
   readonly geometryR?: number;
+  /** Wear offset, X as a diameter: it moves the path and the part. */
+  readonly wearX?: number;
+  readonly wearZ?: number;
+  /** R of the wear offset, added to the nose radius that compensation uses. */
+  readonly wearR?: number;
 }
 
 export interface SetupTailstock {
