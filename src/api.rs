@@ -43,8 +43,8 @@ use crate::playback::timing;
 use crate::playback::totals::ToolTotals;
 use crate::run::Run;
 use crate::sentences::{Language, describe_motion};
-use crate::setup::Machine;
 use crate::setup::dialect::CodeList;
+use crate::setup::{Machine, tool_word};
 use crate::source::{LineIndex, Span};
 use crate::units::{Diameter, Unit};
 
@@ -976,7 +976,7 @@ fn place_on(surface: Surface, point: Point, third: f64) -> Place {
 
 /// The T word of a tool; `None` before the first one.
 fn tool_name((station, offset): (u16, u16)) -> Option<String> {
-    (station > 0).then(|| format!("T{station:02}{offset:02}"))
+    (station > 0).then(|| tool_word((station, offset)))
 }
 
 /// The code of a work coordinate system; `None` for G54.

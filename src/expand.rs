@@ -26,8 +26,8 @@ use crate::message::said;
 use crate::motion::{Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn};
 use crate::provenance;
 use crate::run::{Analysis, Run};
-use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, DecimalRule, Dialect};
+use crate::setup::{Setup, tool_word};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::units::{Diameter, Unit};
@@ -715,7 +715,7 @@ impl Writer<'_> {
         let unit = if self.inch { Unit::Inch } else { Unit::Millimetre };
         let mut lines = Vec::new();
         if now.tool != process.tool {
-            lines.push(format!("T{:02}{:02}", process.tool.0, process.tool.1));
+            lines.push(tool_word(process.tool));
         }
         let limits = [('S', now.clamp, process.clamp), ('Q', now.lowest, process.lowest)];
         let limits = limits.into_iter().filter(|(_, before, after)| before != after);

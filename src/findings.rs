@@ -15,7 +15,7 @@ use crate::machine::{SimulationLimit, SimulationResult};
 use crate::message::{Diagnostic, Levels, Message, Severity, said};
 use crate::motion::{Feed, Motions, Process, SpindleSpeed};
 use crate::setup::stock::ONE_PASS_FEED;
-use crate::setup::{Side, ToolKind};
+use crate::setup::{Side, ToolKind, tool_word};
 use crate::source::Span;
 use crate::units::Diameter;
 
@@ -180,7 +180,7 @@ fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item 
     let unknown = if has_part { resolved.unknown() } else { &[] };
     let shows_part = resolved.shows_part();
     let unknown = unknown.iter().map(move |&index| {
-        let tool = t_word(motions.get(index).process.tool);
+        let tool = tool_word(motions.get(index).process.tool);
         let message: Message = match shows_part {
             true => said::ToolUnknownCuts { tool }.into(),
             false => said::ToolUnknown { tool }.into(),
@@ -232,7 +232,7 @@ fn assumed_drills(resolved: &ResolvedSetup, motions: &Motions) -> Vec<Diagnostic
     let deepest = holes.iter().map(|hole| hole.deepest).fold(f64::INFINITY, f64::min);
     let shown = holes.iter().filter(|hole| hole.deepest <= deepest + SAME);
     let told = shown.filter_map(|hole| {
-        let (tool, diameter) = (t_word(hole.tool), hole.assumed?.mm());
+        let (tool, diameter) = (tool_word(hole.tool), hole.assumed?.mm());
         Some(Diagnostic::new(said::DrillAssumed { tool, diameter }, motions.span(hole.first)))
     });
     told.collect()
@@ -246,13 +246,8 @@ fn feed_begins(motions: &Motions, index: usize) -> usize {
 }
 
 /// The T word of a station with the offset of a motion.
-fn tool_word(finding: &Finding, motions: &Motions, station: u16) -> String {
-    t_word((station, motions.get(finding.motion).process.tool.1))
-}
-
-/// The T word of a station and an offset: `T0101`.
-fn t_word((station, offset): (u16, u16)) -> String {
-    format!("T{station:02}{offset:02}")
+fn tool_of(finding: &Finding, motions: &Motions, station: u16) -> String {
+    tool_word((station, motions.get(finding.motion).process.tool.1))
 }
 
 fn removal(unusual: &Unusual, motions: &Motions) -> Message {
@@ -261,7 +256,7 @@ fn removal(unusual: &Unusual, motions: &Motions) -> Message {
     match unusual.removal {
         Removal::Nothing(Some(cycle)) => said::CycleCutsAir { code: cycle.code() }.into(),
         Removal::Nothing(None) => {
-            said::ToolCutsAir { tool: t_word(motions.get(unusual.motion).process.tool) }.into()
+            said::ToolCutsAir { tool: tool_word(motions.get(unusual.motion).process.tool) }.into()
         }
         Removal::TooDeep { depth, most } => {
             said::CutTooDeep { depth: tenth(depth), most: tenth(most) }.into()
@@ -311,10 +306,10 @@ fn message(finding: &Finding, motions: &Motions) -> Message {
             Axis::Z => said::OverTravel { axis: 'Z', to: finding.at.z, limit }.into(),
         },
         Danger::ToolNotListed { station } => {
-            said::ToolNotListed { tool: tool_word(finding, motions, station) }.into()
+            said::ToolNotListed { tool: tool_of(finding, motions, station) }.into()
         }
         Danger::OtherWork { kind, station } => {
-            let tool = tool_word(finding, motions, station);
+            let tool = tool_of(finding, motions, station);
             match kind {
                 ToolKind::Drill | ToolKind::Tap => said::DrillTurns { tool }.into(),
                 ToolKind::Threading => said::ThreadingToolTurns { tool }.into(),

@@ -115,7 +115,8 @@ fn the_program_changes_an_offset() {
 /// 0.002 in on the diameter are 0.0508 mm.
 #[test]
 fn offsets_of_an_inch_program_are_in_inches() {
-    let ran = run("O1 G20\n(STOCK D=60 LENGTH=60)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120400)\nG10 P1 X.002\n\
+    let ran =
+        run("O1 G20\n(STOCK D=60 LENGTH=60)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120400)\nG10 P1 X.002\n\
         T0101\nG97 S800 M03\nG00 X2.1 Z.1\nG01 X2. F.01\nZ-.8\nX2.5\nG00 X4. Z4.\nM30\n");
     ran.has_diameter(-10.0, 50.8508);
 }
@@ -136,8 +137,10 @@ fn offset_00_cancels_and_another_offset_of_the_tool_has_its_own_wear() {
 /// Only U and W: the tip takes the new offset with the next move, as with absolute words. From X200, U-150 is X50.
 #[test]
 fn incremental_moves_take_the_offset_too() {
-    let ran = run("O1\n(STOCK D=60 LENGTH=60)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120400 WEARX=0.04)\n(START X=200 Z=100)\n\
-        T0101\nG97 S800 M03\nG00 U-148. W-98.\nG01 U-2. F0.2\nW-22.\nU12.\nG00 U138. W120.\nM30\n");
+    let ran = run(
+        "O1\n(STOCK D=60 LENGTH=60)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120400 WEARX=0.04)\n(START X=200 Z=100)\n\
+        T0101\nG97 S800 M03\nG00 U-148. W-98.\nG01 U-2. F0.2\nW-22.\nU12.\nG00 U138. W120.\nM30\n",
+    );
     ran.has_diameter(-10.0, 50.04);
     assert_eq!(ran.ends.last(), Some(&(200.04, 100.0)));
 }
@@ -145,8 +148,10 @@ fn incremental_moves_take_the_offset_too() {
 /// The cycles start at the programmed point, and their passes are moved like other moves.
 #[test]
 fn cycles_are_moved() {
-    let ran = run("O1\n(STOCK D=60 LENGTH=60)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120400 WEARX=0.04 WEARZ=-0.1)\n\
-        T0101\nG97 S800 M03\nG00 X62. Z2.\nG90 X56. Z-20. F0.2\nX50.\nG00 X100. Z100.\nM30\n");
+    let ran = run(
+        "O1\n(STOCK D=60 LENGTH=60)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120400 WEARX=0.04 WEARZ=-0.1)\n\
+        T0101\nG97 S800 M03\nG00 X62. Z2.\nG90 X56. Z-20. F0.2\nX50.\nG00 X100. Z100.\nM30\n",
+    );
     ran.has_diameter(-10.0, 50.04);
     ran.has_diameter(-20.05, 50.04);
     ran.has_diameter(-20.15, 60.0);

@@ -87,6 +87,8 @@ pub enum Fact {
     StationAndOffset(u16, u16),
     /// Nose radius of the tool.
     NoseRadius(Quantity),
+    /// Distance by which the offset moves the tip, X as a diameter: wear, and changes by the program.
+    TipShift(Quantity, Quantity),
     /// The previous pass had the same end and another taper: the first way of roughing a cone (seed 004).
     TaperBefore(Quantity),
     /// The taper of the previous pass stays while the end moves: the second way (seed 004).

@@ -477,6 +477,11 @@ impl<'a> Query<'a> {
                 if radius != 0.0 {
                     facts.push(Fact::NoseRadius(Quantity::Length(radius.abs())));
                 }
+                if after.tip_shift != Point::default() {
+                    let Point { x, z } = after.tip_shift;
+                    let along_x = Quantity::Length(Diameter::from_radius(x).mm());
+                    facts.push(Fact::TipShift(along_x, Quantity::Length(z)));
+                }
             }
             Role::ThreadPacked => {
                 let packed = plain(word).unwrap_or_default() as u32;

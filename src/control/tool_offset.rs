@@ -46,7 +46,7 @@ fn tip_shift(state: &State, setup: &Setup) -> Point {
 /// of the control has one row for each number.
 fn tool_of(setup: &Setup, station: u16, offset: u16) -> Option<&Tool> {
     let ends = |key: &str| key.len() == 5 && key.is_ascii() && key[3..].parse() == Ok(offset);
-    let own = setup.tools.get(&format!("T{station:02}{offset:02}"));
+    let own = setup.tool((station, offset));
     own.or_else(|| setup.tools.iter().find(|(key, _)| ends(key)).map(|(_, tool)| tool))
 }
 
@@ -71,7 +71,7 @@ pub fn nose_entry(state: &State, setup: &Setup) -> (f64, u8) {
     if offset == 0 {
         return (0.0, 0);
     }
-    let tool: Option<&Tool> = setup.tools.get(&format!("T{station:02}{offset:02}"));
+    let tool: Option<&Tool> = setup.tool((station, offset));
     let described = described_nose(setup, station).map_or((0.0, 0), |nose| (nose.radius, nose.tip));
     let (radius, tip) = tool.map_or(described, |tool| (tool.compensation_radius(), tool.tip_direction()));
     let written = |column| state.offsets.get(offset, column);
@@ -88,15 +88,15 @@ fn described_nose(setup: &Setup, station: u16) -> Option<&DescribedNose> {
 /// The offset in force, if neither the setup nor the program defines it: the machine's own table may.
 pub fn unknown(state: &State, setup: &Setup) -> Option<u16> {
     let (station, offset) = state.tool;
-    let known = setup.tools.contains_key(&format!("T{station:02}{offset:02}"))
-        || state.offsets.get(offset, Column::Radius).is_some();
+    let known =
+        setup.tool((station, offset)).is_some() || state.offsets.get(offset, Column::Radius).is_some();
     (offset != 0 && !known).then_some(offset)
 }
 
 /// The offset in force, if neither the setup nor the program gives its nose radius.
 pub fn unknown_radius(state: &State, setup: &Setup) -> Option<u16> {
     let (station, offset) = state.tool;
-    let tool = setup.tools.get(&format!("T{station:02}{offset:02}"));
+    let tool = setup.tool((station, offset));
     let known = tool.map_or(described_nose(setup, station).is_some(), Tool::has_compensation_radius)
         || state.offsets.get(offset, Column::Radius).is_some()
         || state.offsets.get(offset, Column::WearRadius).is_some();

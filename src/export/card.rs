@@ -16,7 +16,7 @@ use crate::playback::timing::Total;
 use crate::playback::totals::{ToolTotals, totals};
 use crate::sentences::{Language, describe_motion, labels};
 use crate::setup::dialect::{CodeList, FeedMode};
-use crate::setup::{Setup, Stock};
+use crate::setup::{Setup, Stock, tool_word};
 use crate::source::{Span, is_unprintable};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
@@ -516,7 +516,7 @@ impl Rates {
 }
 
 fn tool_name((station, offset): (u16, u16)) -> String {
-    if station == 0 { "–".into() } else { format!("T{station:02}{offset:02}") }
+    if station == 0 { "–".into() } else { tool_word((station, offset)) }
 }
 
 /// Formats a time as minutes and seconds; a dash if it is unknown.

@@ -128,7 +128,7 @@ impl Compensations {
         }
         let (radius, tip) = (at.nose_radius(), at.tip_direction());
         let (station, offset) = at.state.tool;
-        let kind = at.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.kind);
+        let kind = at.setup.tool((station, offset)).and_then(|tool| tool.kind);
         let turns = !matches!(kind, Some(ToolKind::Endmill | ToolKind::Drill));
         if turns && matches!(tip, 0 | 9) && radius > 0.0 && self.reported.tip.mark_reported() {
             let message = said::CompensationTip { tip: f64::from(tip) };

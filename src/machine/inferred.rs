@@ -36,7 +36,7 @@ use super::tool_use::{Clamping, Purpose, ToolUse};
 use crate::geometry::SAME;
 use crate::limits::INFERRED_FROM;
 use crate::motion::Motions;
-use crate::setup::{DescribedStock, Setup, Stock, Tool, ToolKind};
+use crate::setup::{DescribedStock, Setup, Stock, Tool, ToolKind, tool_word};
 
 /// The tools and the blank inferred from a program.
 #[derive(Clone, Debug, Default)]
@@ -121,7 +121,7 @@ pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
     }
     for (station, offset) in names {
         if let Some((.., tool)) = inferred.tools().find(|inferred| inferred.0 == station) {
-            setup.tools.insert(format!("T{station:02}{offset:02}"), tool.clone());
+            setup.tools.insert(tool_word((station, offset)), tool.clone());
         }
     }
     setup

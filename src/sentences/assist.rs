@@ -20,7 +20,7 @@ use crate::control::program::CallKind;
 use crate::message::{Arguments, Value};
 use crate::motion::Cycle;
 use crate::setup::dialect::FeedMode;
-use crate::setup::fields;
+use crate::setup::{fields, tool_word};
 use crate::units::{Diameter, Unit, number};
 
 /// Lists the templates of facts once, for the enum and for tests of all templates.
@@ -47,7 +47,7 @@ told! {
     ByFeedFromStart,
     // Meaning of a value
     FromTo, FromCentre, TaperFromTo, TaperOtherSign, WithoutPoint, FeedAtSpeed, SpeedAt, SpeedHeldSince, SpeedHeld, ThreadPackedOf, StationAndOffset, OffsetCancelled,
-    NoseRadius, TaperBefore, TaperKept, Passes, LastPass,
+    NoseRadius, TipShift, TaperBefore, TaperKept, Passes, LastPass,
     // Other blocks
     ContourLines, NamesLine, NamesNothing,
     // Variables
@@ -187,6 +187,10 @@ impl Speaker<'_> {
                 (told, vec![("station", count(station.into())), ("offset", count(offset.into()))])
             }
             Fact::NoseRadius(radius) => (Told::NoseRadius, vec![what(radius)]),
+            Fact::TipShift(x, z) => {
+                let by = |quantity| Value::Text(self.quantity(quantity).into());
+                (Told::TipShift, vec![("x", by(x)), ("z", by(z))])
+            }
             Fact::TaperBefore(taper) => (Told::TaperBefore, vec![what(taper)]),
             Fact::TaperKept(taper) => (Told::TaperKept, vec![what(taper)]),
             Fact::Passes(passes) => (Told::Passes, vec![("count", count(passes))]),
@@ -243,7 +247,7 @@ impl Speaker<'_> {
             }
             InForce::Quantity(quantity) => self.quantity(*quantity),
             InForce::Pair(x, z) => format!("X {}, Z {}", self.quantity(*x), self.quantity(*z)),
-            InForce::Tool(station, offset) => format!("T{station:02}{offset:02}"),
+            InForce::Tool(station, offset) => tool_word((*station, *offset)),
             InForce::Role(role) => role.words(self.language).to_owned(),
             InForce::Nothing => "–".to_owned(),
         }

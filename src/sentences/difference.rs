@@ -8,7 +8,7 @@ use super::{describe_motion, descriptions, labels};
 use crate::difference::{Change, Reading};
 use crate::motion::{Feed, SpindleSpeed, SpindleTurn};
 use crate::setup::dialect::FeedMode;
-use crate::setup::fields;
+use crate::setup::{fields, tool_word};
 use crate::units::{Unit, number};
 
 /// A difference: its name, and its values in the first and the second version.
@@ -230,7 +230,7 @@ pub fn describe_change(change: &Change, unit: Unit, language: Language) -> Told 
             ["tool", "刀具", "инструмент"],
             both.map(|(station, offset)| match (station, offset) {
                 (0, 0) => none(),
-                _ => format!("T{station:02}{offset:02}"),
+                _ => tool_word((station, offset)),
             }),
         ),
         Change::Dwell(both) => of(

@@ -276,13 +276,8 @@ const MM_A_MINUTE: Entry = Number(Unit::MillimetrePerMinute);
 const ANGLED: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring];
 const INSERTS: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring, ToolKind::Threading];
 const SIDED: &[ToolKind] = &[ToolKind::Grooving, ToolKind::Threading];
-const RADIUSED: &[ToolKind] = &[
-    ToolKind::Turning,
-    ToolKind::Boring,
-    ToolKind::Grooving,
-    ToolKind::Threading,
-    ToolKind::Endmill,
-];
+const RADIUSED: &[ToolKind] =
+    &[ToolKind::Turning, ToolKind::Boring, ToolKind::Grooving, ToolKind::Threading, ToolKind::Endmill];
 const POINTED: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring, ToolKind::Grooving, ToolKind::Threading];
 
 /// The blank: `(STOCK D=65 LENGTH=80)`.

@@ -107,7 +107,9 @@ impl Checker {
         self.at(key("shank"), tool.shank, &LENGTH);
         self.at(key("toolRadius"), tool.tool_radius, &RADIUS);
         self.at(key("geometryR"), tool.geometry_r, &RADIUS);
-        for (name, length) in [("geometryX", tool.geometry_x.map(Diameter::mm)), ("geometryZ", tool.geometry_z)] {
+        for (name, length) in
+            [("geometryX", tool.geometry_x.map(Diameter::mm)), ("geometryZ", tool.geometry_z)]
+        {
             self.at(key(name), length.map(f64::abs), &[Requirement::AtMost(LONGEST)]);
         }
         for (name, wear) in

@@ -139,6 +139,11 @@ impl Setup {
         if json == "{}" { Ok(Self::default()) } else { read_json(json) }
     }
 
+    /// The tool of a station and an offset number.
+    pub fn tool(&self, called: (u16, u16)) -> Option<&Tool> {
+        self.tools.get(&tool_word(called))
+    }
+
     /// Position of the tip at the start: X200 Z200 by default.
     pub fn start(&self) -> Position {
         self.initial.unwrap_or(Position { x: Diameter::new(200.0), z: 200.0 })
@@ -174,6 +179,11 @@ fn key_before(json: &str, line: usize, column: usize) -> Option<&str> {
     let colon = before.rfind(':')?;
     let name = before[..colon].trim_end().strip_suffix('"')?;
     Some(&before[name.rfind('"')?..=name.len()])
+}
+
+/// The T word of a station and an offset, in four digits: the key of a tool.
+pub fn tool_word((station, offset): (u16, u16)) -> String {
+    format!("T{station:02}{offset:02}")
 }
 
 /// A position in the notation of users.

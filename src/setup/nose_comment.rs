@@ -33,9 +33,9 @@ const LARGEST_IN_INCHES: f64 = 0.049;
 pub fn may_describe(inside: &[u8]) -> bool {
     inside.trim_ascii_start().first().is_some_and(|first| first.eq_ignore_ascii_case(&b'T'))
         && inside.len() > 2
-        && RADIUS.iter().any(|name| {
-            inside.windows(name.len()).any(|part| part.eq_ignore_ascii_case(name.as_bytes()))
-        })
+        && RADIUS
+            .iter()
+            .any(|name| inside.windows(name.len()).any(|part| part.eq_ignore_ascii_case(name.as_bytes())))
 }
 
 /// The nose that a comment describes. `unit` is that of the program, if it contains G20 or G21.
@@ -71,7 +71,11 @@ mod tests {
     fn comments_that_name_tool_and_radius() {
         let nose = |station, radius, tip| Some(DescribedNose { station, radius, tip });
         for (comment, unit, expected) in [
-            ("TO1 = 80* Rough Turning Tool, Insert: 02-0083, Tool Nose Radius: .04, Tool Tip: 3", None, nose(1, 1.016, 3)),
+            (
+                "TO1 = 80* Rough Turning Tool, Insert: 02-0083, Tool Nose Radius: .04, Tool Tip: 3",
+                None,
+                nose(1, 1.016, 3),
+            ),
             ("T0202 FINISH, NOSE RADIUS 0.4 TIP 8", Some(Unit::Millimetre), nose(2, 0.4, 8)),
             ("T2 NOSE RAD=.0625 TIP=2", Some(Unit::Inch), nose(2, 1.5875, 2)),
             ("T12 刀尖半径0.8 刀尖方位3", None, nose(12, 0.8, 3)),

@@ -164,11 +164,7 @@ impl Notes {
 
     /// Whether these are the notes of a text.
     pub fn match_text(&self, text: &[u8]) -> bool {
-        if Self::may_contain_notes(text) {
-            match_text(self, text)
-        } else {
-            *self == Self::default()
-        }
+        if Self::may_contain_notes(text) { match_text(self, text) } else { *self == Self::default() }
     }
 
     fn note(&mut self, keyword: Keyword, inside: &str, start: usize) {

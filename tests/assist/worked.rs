@@ -310,3 +310,21 @@ fn a_block_that_moves_nothing_has_no_form() {
         assert!(program.form(line).is_some(), "line {line}");
     }
 }
+
+/// The offset in force: wear of the setup, and what G10 adds to it. X on the diameter, in the unit of the reader.
+#[test]
+fn a_tool_word_says_how_far_its_offset_moves_the_tip() {
+    let text = "(TOOL T0101 TYPE=TURNING WEARX=0.04)\nT0101\nG10 P1 U0.02 W-0.1\nT0101\nT0100\n";
+    let mut program = Program::new(text);
+    let facts = |program: &mut Program, line: usize, language: Language| {
+        let byte = program.byte(line);
+        let help = program.asking.word(byte, VisitChoice::Usual, language).expect("help");
+        help.facts.iter().map(|fact| fact.text.clone()).collect::<Vec<_>>().join(" ")
+    };
+    let english = |program: &mut Program, line| facts(program, line, Language::English);
+    assert!(english(&mut program, 2).contains("moves the tip: X by 0.04 mm on the diameter, Z by 0 mm"));
+    assert!(english(&mut program, 4).contains("moves the tip: X by 0.06 mm on the diameter, Z by -0.1 mm"));
+    assert!(!english(&mut program, 5).contains("moves the tip"));
+    assert!(facts(&mut program, 2, Language::Chinese).contains("刀补使刀尖移动"));
+    assert!(facts(&mut program, 2, Language::Russian).contains("Коррекция смещает вершину"));
+}

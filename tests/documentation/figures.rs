@@ -39,6 +39,29 @@ const fn figure(document: &'static str, words: &'static str, held: Held) -> Figu
 /// The list.
 pub const FIGURES: &[Figure] = &[
     figure(
+        "www/docs/setup.md",
+        "The last two digits of a T word select an offset: □ selects offset □",
+        Held::By(
+            "tests/worked_offsets.rs",
+            "offset_00_cancels_and_another_offset_of_the_tool_has_its_own_wear",
+        ),
+    ),
+    figure(
+        "www/docs/setup.md",
+        "with □ a diameter of 50 mm becomes 50.04 mm",
+        Held::By("tests/worked_offsets.rs", "wear_of_x_moves_the_diameter"),
+    ),
+    figure(
+        "www/docs/setup.md",
+        "Wear is at most 9.999 mm",
+        Held::Stated("src/setup/tool.rs", "pub const LARGEST_WEAR: f64 = 9.999;"),
+    ),
+    figure(
+        "www/docs/setup.md",
+        "diameters 0.1 mm larger",
+        Held::By("tests/worked_offsets.rs", "the_program_changes_an_offset"),
+    ),
+    figure(
         "www/docs/sharing.md",
         "longer than 2,000 characters",
         Held::Stated("www/src/page/share-dialog.ts", "const LONG_LINK = 2000;"),

@@ -118,7 +118,7 @@ impl Interpreter {
     /// Width of the grooving insert of the tool in force, mm, if the setup names one.
     pub(super) fn blade_width(&self) -> Option<f64> {
         let (station, offset) = self.state.tool;
-        self.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.width)
+        self.setup.tool((station, offset)).and_then(|tool| tool.width)
     }
 
     /// The unit of P and Q (GSK980TDb pp. 119, 135), and both as lengths, mm.
