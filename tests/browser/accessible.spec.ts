@@ -61,6 +61,8 @@ const OPENERS: Readonly<Record<string, (page: ChromiumPage) => Promise<void>>> =
   'own programs': item('program', /^(My programs|我的程序|Мои программы)…$/),
   'how the program was read': (page) => chip(page).click(),
   'speed and steps': press(/^(Speed and steps|速度与步进|Скорость и шаг)/),
+  // The cursor is in the blank line after the program.
+  'insert cycle': press(/^(Insert cycle|插入循环|Вставить цикл)…$/),
   setup: press(/^(Setup|毛坯与刀具|Наладка)/),
   machines: async (page) => {
     await chip(page).click();

@@ -3,6 +3,7 @@
 import { chromiumTest, expect, test, type BasicPage, type Page } from './engines';
 import {
   between,
+  chooseLanguage,
   copy,
   drawing,
   editor,
@@ -105,6 +106,136 @@ test('the list opens by itself with a new program that has errors or warnings, n
     await expect(problems(page)).toBeVisible();
     await expect(editor(page)).toBeFocused();
   });
+});
+
+/** One warning: it ends without M30. */
+const WITHOUT_END = 'O0001 (STOCK D=50 LENGTH=60 GRIP=20)\nT0101\nG97 G99 S800 M03\nG00 X46 Z2 M08\nG01 Z-30 F0.2\nX52';
+
+/** The name of the button over the program, once the current text has been reported; does not wait for a change. */
+async function countsNow(page: BasicPage): Promise<string> {
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  return (await problemsButton(page).getAttribute('aria-label')) ?? '';
+}
+
+test('a missing end is not reported while the last lines are typed', async ({ page }) => {
+  await open(page);
+  const marks = page.locator('.cm-lint-marker-warning');
+
+  await test.step('but at once in a text that was inserted', async () => {
+    await type(page, WITHOUT_END);
+    expect(await countsNow(page)).toBe('Problems: 1 warning');
+    await expect(marks).toHaveCount(1);
+  });
+
+  await test.step('not while it is typed: neither counted, nor marked, nor announced', async () => {
+    await page.keyboard.press('Enter');
+    await page.keyboard.type('G00 X200 Z200 M09');
+    expect(await countsNow(page)).toBe('no problems');
+    await expect(status(page)).toContainText('no problems');
+    expect(await marks.count()).toBe(0);
+    await page.keyboard.press('F8');
+    await expect(page.locator('.cm-announced')).toHaveText('No problems');
+  });
+
+  await test.step('it is printed', async () => {
+    await page.keyboard.type(' ');
+    expect(await countsNow(page)).toBe('no problems');
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    await expect(page.locator('.sheet')).toContainText('The program ends without M30 or M02.');
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  });
+
+  await test.step('when the cursor leaves the last lines', async () => {
+    await page.keyboard.type(' ');
+    expect(await countsNow(page)).toBe('no problems');
+    await page.keyboard.press('ArrowUp');
+    expect(await countsNow(page)).toBe('Problems: 1 warning');
+    await expect(status(page)).toContainText('1 problem');
+    await expect(marks).toHaveCount(1);
+  });
+
+  await test.step('after a pause', async () => {
+    await page.keyboard.press('Control+End');
+    await page.keyboard.press('Enter');
+    expect(await countsNow(page)).toBe('no problems');
+    await expect(page.getByRole('button', { name: 'Problems: 1 warning' })).toBeVisible();
+    await expect(problems(page)).toBeHidden();
+  });
+
+  await test.step('typing before other blocks hides nothing', async () => {
+    await page.keyboard.press('Control+Home');
+    await page.keyboard.press('End');
+    await page.keyboard.type(' ');
+    expect(await countsNow(page)).toBe('Problems: 1 warning');
+  });
+});
+
+test('a program that is opened or pasted after typing is reported at once', async ({ page }) => {
+  await open(page);
+  await type(page, '');
+  await page.keyboard.type('O1');
+  expect(await countsNow(page)).toBe('no problems');
+  await openFile(page, 'no-end.nc', Buffer.from(WITHOUT_END));
+  await expect.poll(() => value(page)).toBe(WITHOUT_END);
+  expect(await countsNow(page)).toBe('Problems: 1 warning');
+  await copy(page, `${WITHOUT_END}\n`);
+  await editor(page).focus();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.press('Delete');
+  await page.keyboard.type('O2');
+  await page.keyboard.press('Control+A');
+  await page.keyboard.press('Control+V');
+  await expect.poll(() => value(page)).toBe(`${WITHOUT_END}\n`);
+  expect(await countsNow(page)).toBe('Problems: 1 warning');
+});
+
+const PLACEHOLDERS = {
+  en: 'Write or paste a program',
+  zh: '在此编写或粘贴程序',
+  ru: 'Напишите или вставьте программу',
+} as const;
+
+test('an empty program has a placeholder and no problem', async ({ page }) => {
+  await open(page);
+  await type(page, '');
+  expect(await countsNow(page)).toBe('no problems');
+  await expect(status(page)).toContainText('no problems');
+  for (const locale of ['en', 'zh', 'ru'] as const) {
+    await chooseLanguage(page, locale);
+    await expect(page.locator('.cm-placeholder')).toContainText(PLACEHOLDERS[locale]);
+    await expect(problemsButton(page)).toHaveText(/no problems|没有问题|замечаний нет/);
+  }
+});
+
+test('the caret stays in view when the list opens and when the window becomes lower', async ({ page }) => {
+  const isCaretInView = (): Promise<boolean> =>
+    page.locator('.cm-activeLine').evaluate((line) => {
+      const [{ top, bottom }, outer] = [
+        line.getBoundingClientRect(),
+        line.closest('.cm-scroller')!.getBoundingClientRect(),
+      ];
+      return top >= outer.top && bottom <= outer.bottom;
+    });
+  await open(page);
+  await type(page, `${'G01 X40 Z-5 F0.2\n'.repeat(60)}G01 X4O\nM30\n`);
+  await countsNow(page);
+  await page.keyboard.press('Control+Home');
+  const lowest = await page.locator('.cm-line').evaluateAll((lines) => {
+    const bottom = lines[0]!.closest('.cm-scroller')!.getBoundingClientRect().bottom;
+    return lines.filter((line) => line.getBoundingClientRect().bottom <= bottom).length;
+  });
+  for (let line = 1; line < lowest; line++) await page.keyboard.press('ArrowDown');
+  expect(await isCaretInView()).toBe(true);
+  await openProblems(page);
+  await expect.poll(isCaretInView).toBe(true);
+  await problemsButton(page).click();
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  for (let line = 1; line < lowest; line++) await page.keyboard.press('ArrowDown');
+  await page.setViewportSize({ width: 1440, height: 600 });
+  await expect.poll(isCaretInView).toBe(true);
 });
 
 test('the list opens by itself if the part of the new program takes longer than its path', async ({ page }) => {

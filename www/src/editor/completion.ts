@@ -23,6 +23,7 @@ import {
   cursorPageDown,
   cursorPageUp,
   insertNewlineAndIndent,
+  isolateHistory,
 } from '@codemirror/commands';
 import { Prec, type Extension } from '@codemirror/state';
 import { EditorView, keymap, ViewPlugin, type Command, type KeyBinding, type ViewUpdate } from '@codemirror/view';
@@ -90,7 +91,12 @@ const listTheme = EditorView.theme({
     textOverflow: 'ellipsis',
   },
   '[aria-selected] .cm-completionDetail': { color: 'inherit' },
-  '.cm-snippetField': { backgroundColor: 'var(--playground-accent-soft)' },
+  // Not a background colour: Chromium would keep it for the text that replaces a field, by a style that the policy of the
+  // page forbids. Transparent, so that the selection under it is visible.
+  '.cm-snippetField': {
+    backgroundColor: 'transparent',
+    boxShadow: 'inset 0 0 0 1em color-mix(in srgb, var(--playground-accent) 14%, transparent)',
+  },
   // The value of a field is selected, but equal numbers elsewhere have nothing to do with it.
   '.cm-content:has(.cm-snippetField) .cm-selectionMatch': { backgroundColor: 'transparent' },
   // Larger targets for touch.
@@ -120,6 +126,11 @@ function acceptProposal(view: EditorView): boolean {
   if (!isChosen) moveCompletionSelection(true)(view);
   acceptCompletion(view);
   return true;
+}
+
+/** Accepts the selected proposal; without one goes to the next field. */
+export function toNextField(view: EditorView): void {
+  if (!acceptProposal(view)) nextSnippetField(view);
 }
 
 /** A key or click for the list, which waits for its update. */
@@ -253,7 +264,18 @@ function toCompletion({ label, text, fills, detail, kind }: CompletionItem): Com
   };
 }
 
-/** The text as a CodeMirror snippet, with a field for each place to fill in. */
+/** Replaces a range by a proposal and selects its first field. Undo removes it without the changes before and after. */
+export function insertInto(view: EditorView, proposal: CompletionItem, from: number, to: number): void {
+  const isolate = (): void => view.dispatch({ annotations: isolateHistory.of('full') });
+  isolate();
+  snippet(snippetTemplate(proposal.text, proposal.fills))(view, toCompletion(proposal), from, to);
+  isolate();
+}
+
+/**
+ * The text as a CodeMirror snippet, with a field for each place to fill in, then an empty one at the end: so the last
+ * place is still a field, and Tab leads from there to the end.
+ */
 function snippetTemplate(text: string, fills: CompletionItem['fills']): string {
   let result = '';
   let at = 0;
@@ -261,5 +283,5 @@ function snippetTemplate(text: string, fills: CompletionItem['fills']): string {
     result += `${text.slice(at, from)}\${${index + 1}:${text.slice(from, to)}}`;
     at = to;
   }
-  return result + text.slice(at);
+  return `${result}${text.slice(at)}\${${fills.length + 1}:}`;
 }

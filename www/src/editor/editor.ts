@@ -47,10 +47,12 @@ import { marks, runningLine, showHovered, showMarked, showRunning, showTokens, s
 import { contextEffect, contextOf, programContext } from './context';
 import { docOf, fileOf, fileOfText, lineEndsIn, setOriginEffect, renameEffect, textWithLineEnds } from './file';
 import { Follower } from './follow';
+import { keepCaretInView } from './keep-caret-in-view';
 import type {
   Access,
   Change,
   EditorEvents,
+  Input,
   LineRange,
   ProgramContext,
   Span,
@@ -69,7 +71,7 @@ import type { LineEnds } from '../files/line-ends';
 import { make } from '../dom/dom';
 import { importWithRetry } from '../dom/network';
 import { COMMON, words } from '../dom/words';
-import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
+import type { CompletionItem, Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
 import { Unsent } from './unsent';
 
 /**
@@ -146,6 +148,7 @@ export class Editor implements TextStore {
           editorTheme,
           initialFolds(() => this.#uiLanguage),
           folding(() => this.#uiLanguage),
+          keepCaretInView,
           triedValues(() => this.#uiLanguage),
           wordHover(events, () => this.#uiLanguage),
           this.#completion.of([]),
@@ -410,6 +413,20 @@ export class Editor implements TextStore {
     });
   }
 
+  /** Replaces the line of the cursor by a proposal, which can be undone by itself. */
+  async insertProposal(proposal: CompletionItem): Promise<void> {
+    const { insertInto } = await importWithRetry(() => import('./completion'));
+    const { from, to } = this.#view.state.doc.lineAt(this.cursor);
+    this.focus();
+    insertInto(this.#view, proposal, from, to);
+  }
+
+  /** Does what Tab does in a field of a proposal. */
+  async nextField(): Promise<void> {
+    const { toNextField } = await importWithRetry(() => import('./completion'));
+    toNextField(this.#view);
+  }
+
   change(edits: readonly Change[]): void {
     if (edits.length === 0) return;
     this.#view.dispatch({
@@ -485,7 +502,7 @@ export class Editor implements TextStore {
       if (update.selectionSet || update.docChanged) this.#view.dom.classList.remove('cm-chosen');
       const context = contextOf(update.transactions);
       if (context !== undefined) this.#events.onContextChanged(context);
-      if (update.docChanged) this.#events.onTextChanged();
+      if (update.docChanged) this.#events.onTextChanged(inputOf(update));
       else if (update.selectionSet) this.#events.onCursorMoved();
     }
     for (const transaction of update.transactions) {
@@ -498,6 +515,20 @@ export class Editor implements TextStore {
     if (update.docChanged ? before.length !== now.length : before !== now) this.#events.onTrialChanged();
     if (update.viewportChanged) this.#events.onViewMoved();
   }
+}
+
+/**
+ * Text that was typed contains at most one line end: the keyboard of a phone inserts the clipboard without an event of
+ * its own.
+ */
+function inputOf({ changes, transactions }: ViewUpdate): Input {
+  const isUserEvent = (name: string): boolean => transactions.some((transaction) => transaction.isUserEvent(name));
+  if (isUserEvent('input.complete')) return 'typed';
+  let isTyped = !isUserEvent('input.paste') && !isUserEvent('input.drop');
+  changes.iterChanges((_from, _to, _newFrom, _newTo, inserted) => {
+    if (inserted.lines > 2) isTyped = false;
+  });
+  return isTyped ? 'typed' : 'inserted';
 }
 
 const WORDS = words({

@@ -108,7 +108,7 @@ export class PlainProgram implements TextStore {
       ends = mapLineEnds(ends, edit);
     }
     this.#replaceText({ pieces: splitIntoPieces(text), ends });
-    this.#events.onTextChanged();
+    this.#events.onTextChanged('inserted');
   }
 
   select(span: Span): void {

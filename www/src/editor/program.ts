@@ -9,7 +9,7 @@ import type { Language } from '../dom/language';
 import { importWithRetry } from '../dom/network';
 import { COMMON } from '../dom/words';
 import type { LineEnds } from '../files/line-ends';
-import type { Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
+import type { CompletionItem, Diagnostic, Fix, TextCommand, TriedValue } from '../protocol/protocol';
 import type { Editor } from './editor';
 import type { Access, Change, EditorEvents, LineRange, ProgramContext, Span, TextStore } from './text-store';
 import { PlainProgram } from './plain-program';
@@ -17,6 +17,8 @@ import type { ProgramFile, ProgramText } from './program-text';
 
 /** UTF-16 units to show until the editor is loaded; the user can hardly see more. */
 const MAX_PLACEHOLDER_LENGTH = 20_000;
+/** A line with more blanks before the cursor does not count as blank. */
+const MAX_BLANKS = 200;
 
 export class Program implements TextStore {
   /** The container of the editor. */
@@ -42,9 +44,9 @@ export class Program implements TextStore {
     this.#access = access;
     this.#language = language;
     this.#store = new PlainProgram({
-      onTextChanged: () => {
+      onTextChanged: (input) => {
         this.#diagnostics = [];
-        events.onTextChanged();
+        events.onTextChanged(input);
       },
       onFileChanged: () => events.onFileChanged(),
     });
@@ -155,6 +157,24 @@ export class Program implements TextStore {
   /** Inserts a text at the cursor, as if the user had typed it. */
   type(text: string): void {
     this.#editor?.type(text);
+  }
+
+  /** Replaces the line of the cursor by a proposal; its first field is selected. Rejected if a part cannot be loaded. */
+  async insertProposal(proposal: CompletionItem): Promise<void> {
+    this.#events.onShowProgram();
+    await this.#editor?.insertProposal(proposal);
+  }
+
+  /** Goes to the next field of a proposal, like Tab. */
+  async nextField(): Promise<void> {
+    await this.#editor?.nextField();
+  }
+
+  /** Whether the line at an offset is blank. */
+  isBlankLine(offset: number): boolean {
+    const before = this.textBetween(Math.max(offset - MAX_BLANKS, 0), offset);
+    const start = before.slice(before.lastIndexOf('\n') + 1);
+    return start.length < MAX_BLANKS && (start + this.textBetween(offset, this.endOfLine(offset))).trim() === '';
   }
 
   change(edits: readonly Change[]): void {

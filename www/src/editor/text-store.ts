@@ -23,8 +23,11 @@ export interface LineRange {
 /** Whether the user can edit the text. */
 export type Access = 'editable' | 'readonly';
 
+/** How the user has changed the text: key by key or by a proposal, or in one piece. */
+export type Input = 'typed' | 'inserted';
+
 export interface TextEvents {
-  onTextChanged(): void;
+  onTextChanged(input: Input): void;
   onFileChanged(): void;
 }
 

@@ -10,6 +10,8 @@ import { isCompletionEnabled, setCompletionEnabled } from '../editor/completion-
 import { factList, wordLine } from '../editor/word-help';
 import type { FormHelp, FormLine, FormWord, Help, HelpLine, StateHelp, StateRow } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
+import type { CycleChooser } from './cycle-chooser';
+import { loadPart } from './load-part';
 import {
   isInProgram,
   type Key,
@@ -38,7 +40,16 @@ class AtCursor implements Panel {
     'aria-expanded': 'false',
     'aria-controls': 'at-cursor-body',
   });
-  readonly #header = make('div', { className: 'at-cursor-header' }, this.#toggle);
+  /** Shown in a blank line. */
+  readonly #insert = make('button', {
+    type: 'button',
+    className: 'framed insert-cycle',
+    'aria-haspopup': 'dialog',
+    hidden: true,
+  });
+  readonly #header = make('div', { className: 'at-cursor-header' }, this.#toggle, this.#insert);
+  /** Loaded when it is first opened. */
+  #chooser: CycleChooser | undefined;
   readonly #facts = make('div', { className: 'at-cursor-facts' });
   readonly #form = make('div', { className: 'at-cursor-form' });
   readonly #previous = make('button', { type: 'button', className: 'small' }, icon('previous'));
@@ -110,6 +121,9 @@ class AtCursor implements Panel {
     this.#question = shell.newest('help', (help) => this.#onAnswer(help));
     this.#toggle.append(icon('chevron'), this.#title, this.#line);
     this.#toggle.addEventListener('click', () => this.#setOpen(this.#body.hidden === true));
+    this.#insert.addEventListener('click', () => void this.#chooseCycle());
+    // The text keeps the focus, and on a phone the button its place.
+    this.#insert.addEventListener('mousedown', (event) => event.preventDefault());
     this.#previous.addEventListener('click', () => this.#chooseExecution(-1));
     this.#next.addEventListener('click', () => this.#chooseExecution(1));
     this.#completionToggle.checked = isCompletionEnabled();
@@ -127,12 +141,14 @@ class AtCursor implements Panel {
       { name: texts.playBlock, keys: 'F10', run: () => this.#shell.service('playBlock')() },
       { name: texts.toCursor, keys: 'Ctrl F10', run: () => this.#shell.service('playToCursor')() },
       { name: texts.breakpoint, keys: 'Ctrl F8', run: () => this.#shell.service('toggleBreakpoint')() },
+      ...(this.#isInBlankLine ? [{ name: texts.insert, run: () => void this.#chooseCycle() }] : []),
     ];
   }
 
   set language(language: Language) {
     const texts = WORDS[language];
     setText(this.#title, texts.atCursor);
+    setText(this.#insert, texts.insert);
     setText(this.#completionLabel, texts.completion);
     setAccessibleName(this.#previous, texts.previousExecution);
     setAccessibleName(this.#next, texts.nextExecution);
@@ -158,10 +174,16 @@ class AtCursor implements Panel {
   onCursorMoved(): void {
     this.#hasFocusedText = true;
     this.#chosenExecution = undefined;
+    this.#showInsert();
     this.#ask();
   }
 
+  get capturesKeys(): boolean {
+    return this.#chooser?.isOpen === true;
+  }
+
   onEvent(event: CoreEvent): void {
+    if (event.kind === 'report') this.#showInsert();
     if (event.kind === 'report' || event.kind === 'parts-loaded') {
       this.#cannotAnswer = false;
       this.#ask();
@@ -181,6 +203,7 @@ class AtCursor implements Panel {
   }
 
   onInputChanged(): void {
+    this.#showInsert();
     this.#question.cancel();
     this.#cancelPending();
     this.#setMark(undefined);
@@ -218,6 +241,30 @@ class AtCursor implements Panel {
     this.#question.ask(
       this.#body.hidden ? { by: 'cursor', about: 'word', offset } : { by: 'cursor', about: 'block', offset, time },
     );
+  }
+
+  get #isInBlankLine(): boolean {
+    const { editor, readonly } = this.#shell;
+    const { from, to } = editor.selection;
+    return !readonly && from === to && editor.isBlankLine(from);
+  }
+
+  #showInsert(): void {
+    this.#insert.hidden = !this.#isInBlankLine;
+  }
+
+  async #chooseCycle(): Promise<void> {
+    const part = await loadPart(
+      this.#shell,
+      () => import('./cycle-chooser'),
+      () => void this.#chooseCycle(),
+    );
+    if (part === undefined) return;
+    this.#chooser ??= new part.CycleChooser(this.#shell);
+    await this.#chooser.open((chosen) => {
+      this.#hasFocusedText = true;
+      this.#shell.editor.insertProposal(chosen).catch(() => undefined);
+    });
   }
 
   /** The offset of the cursor, or of the start of the selection. */
@@ -464,6 +511,7 @@ const WORDS = words({
     playBlock: 'Play this block',
     toCursor: 'Play to here',
     breakpoint: 'Stop here',
+    insert: 'Insert cycle…',
     empty: 'Change a number: the picture follows. Point at a word to read what it means.',
     nothing: 'no word',
     pending: 'the program is being run again …',
@@ -492,6 +540,7 @@ const WORDS = words({
     playBlock: '播放本段',
     toCursor: '播放到此处',
     breakpoint: '在此停下',
+    insert: '插入循环…',
     empty: '修改一个数，图形随之变化。把指针放在字上，可看到它的含义。',
     nothing: '没有字',
     pending: '正在重新执行程序……',
@@ -520,6 +569,7 @@ const WORDS = words({
     playBlock: 'Показать кадр',
     toCursor: 'Показать до него',
     breakpoint: 'Пауза здесь',
+    insert: 'Вставить цикл…',
     empty: 'Измените число — рисунок последует за ним. Наведите указатель на слово, чтобы узнать его смысл.',
     nothing: 'слова нет',
     pending: 'программа выполняется ещё раз …',

@@ -13,6 +13,7 @@ import type { ProgramFile, ProgramText } from '../editor/program-text';
 import type {
   Answer,
   Command,
+  CompletionHelp,
   Diagnostic,
   ExportResult,
   ExportFormat,
@@ -230,6 +231,8 @@ export interface Shell {
   readonly language: Language;
   /** Whether the program is read-only. */
   readonly readonly: boolean;
+  /** All problems of the newest report, also those that are held back while the user types. */
+  readonly diagnostics: readonly Diagnostic[];
   /** Whether the program text is shown, not only its results. */
   readonly showsProgram: boolean;
   /** The element that contains all regions. */
@@ -243,6 +246,11 @@ export interface Shell {
   /** Resolves to undefined if there is no worker; never resolves if the worker is lost. */
   ask<K extends QuestionKind>(about: K, ask: Questions[K]['args']): Promise<Answer<K> | undefined>;
   newest<K extends QuestionKind>(about: K, answered: (answer: Answer<K>) => void): NewestQuestion<K>;
+
+  /** The proposals at an offset; undefined if there are none, or the text has changed meanwhile. */
+  completionAt(offset: number, isExplicit: boolean): Promise<CompletionHelp | undefined>;
+  /** Adds the style sheet of a part that is loaded on demand. */
+  addStyles(styles: string): void;
 
   // ---- the program ----
   /** Runs pending edits now. */

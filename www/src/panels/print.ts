@@ -9,7 +9,6 @@ import type { Language } from '../dom/language';
 import { isPrinting } from '../dom/printing';
 import { COMMON, words } from '../dom/words';
 import type { Diagnostic, SetupForm } from '../protocol/protocol';
-import type { CoreEvent } from '../worker/core-client';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import printStyles from './print.css?inline';
 
@@ -23,7 +22,6 @@ class Print implements Panel {
   readonly #shell: Shell;
   readonly #sheet = make('div', { className: 'sheet' });
   readonly #picture = make('img', { className: 'sheet-drawing', alt: '' });
-  #diagnostics: readonly Diagnostic[] = [];
   /** The answers that were requested before printing began. */
   #prepared: { readonly setup: SetupForm | undefined } | undefined;
   readonly elements = { dialogs: [this.#sheet] };
@@ -41,10 +39,6 @@ class Print implements Panel {
 
   set language(_: Language) {
     // The texts are filled in when the sheet is printed.
-  }
-
-  onEvent(event: CoreEvent): void {
-    if (event.kind === 'report') this.#diagnostics = event.report.diagnostics;
   }
 
   onKey({ event }: Key): 'handled' | 'ignored' {
@@ -79,7 +73,8 @@ class Print implements Panel {
     const texts = WORDS[language];
     const lines = editor.text.split('\n');
     const marked = new Map<number, Diagnostic['severity']>();
-    for (const { line, severity } of this.#diagnostics) if (marked.get(line) !== 'error') marked.set(line, severity);
+    for (const { line, severity } of this.#shell.diagnostics)
+      if (marked.get(line) !== 'error') marked.set(line, severity);
     const program = make('ol', { className: 'sheet-program' });
     program.append(
       ...lines
@@ -108,11 +103,11 @@ class Print implements Panel {
   };
 
   #problems(texts: (typeof WORDS)['en']): readonly HTMLElement[] {
-    if (this.#diagnostics.length === 0) return [];
+    if (this.#shell.diagnostics.length === 0) return [];
     const { language } = this.#shell;
     const list = make('ul', { className: 'sheet-problems' });
     list.append(
-      ...this.#diagnostics
+      ...this.#shell.diagnostics
         .slice(0, MAX_PROBLEMS)
         .map(({ line, code, message, help }) =>
           make(
@@ -124,7 +119,7 @@ class Print implements Panel {
           ),
         ),
     );
-    const more = this.#diagnostics.length - MAX_PROBLEMS;
+    const more = this.#shell.diagnostics.length - MAX_PROBLEMS;
     return [make('h2', {}, texts.problems), list, ...(more > 0 ? [make('p', {}, texts.more(more))] : [])];
   }
 

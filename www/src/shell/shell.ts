@@ -46,6 +46,7 @@ import { Missing, type MissingKind } from './missing';
 import type { OpenLink } from './open-link';
 import { Paper } from './paper';
 import { Runs, type ReportedLoss } from './runs';
+import { Unfinished, type ReportEvent } from './unfinished';
 import { mergeSetup, readSwitches } from './merged-setup';
 import { adoptStyles } from './style-sheets';
 
@@ -119,6 +120,9 @@ export class PlaygroundShell implements Shell {
   readonly #hiddenPanels = new Set<Panel>();
   readonly #services: Partial<Services> = {};
   readonly #runs: Runs;
+  readonly #unfinished: Unfinished;
+  /** All problems of the newest report, also those that are held back. */
+  #diagnostics: readonly Diagnostic[] = [];
   readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
   #language: Language;
   /** Events of the newest run for panels that are loaded later; undefined once all are loaded. */
@@ -164,8 +168,9 @@ export class PlaygroundShell implements Shell {
       ...(host.playground === '' ? [] : (['link'] as const)),
     ]);
     this.editor = new Program(this.#language, host.readonly ? 'readonly' : 'editable', {
-      onTextChanged: () => {
+      onTextChanged: (input) => {
         this.#pendingParts.delete('step');
+        if (input === 'typed') this.#unfinished.onTyped();
         this.#runs.onTyped();
       },
       context: () => this.#context,
@@ -176,6 +181,7 @@ export class PlaygroundShell implements Shell {
       },
       onCursorMoved: () => {
         this.#runs.cursorMoved();
+        this.#unfinished.onCursorMoved();
         this.#notifyPanels((panel) => panel.onCursorMoved?.());
       },
       onTrialChanged: () => {
@@ -183,7 +189,7 @@ export class PlaygroundShell implements Shell {
         this.#notifyPanels((panel) => panel.onTrialChanged?.());
       },
       wordAt: (offset) => this.#wordAt(offset),
-      completionAt: (offset, isExplicit) => this.#completionAt(offset, isExplicit),
+      completionAt: (offset, isExplicit) => this.completionAt(offset, isExplicit),
       onShowProgram: () => this.#notifyPanels((panel) => panel.onShowProgram?.()),
       onCompletionFailed: (reason, retry) => this.#reportFailure('completion', 'completionFailed', reason, retry),
       onCompletionLoaded: () => this.#missing.markLoaded('completion'),
@@ -198,11 +204,12 @@ export class PlaygroundShell implements Shell {
     this.#runs = new Runs(this.editor, {
       setup: () => this.#mergedSetup(),
       onEvent: (event) => {
-        const shownEvent = this.readonly && event.kind === 'report' ? withoutFixes(event) : event;
-        this.#missed?.events.set(event.kind, shownEvent);
-        this.#notifyPanels((panel) => panel.onEvent?.(shownEvent));
-        if (shownEvent.kind === 'path' || shownEvent.kind === 'report') this.#missing.markLoaded('interpreter');
-        if (shownEvent.kind === 'report') this.#onReport(shownEvent.report);
+        const received = this.readonly && event.kind === 'report' ? withoutFixes(event) : event;
+        const shownEvent = received.kind === 'report' ? this.#unfinished.shown(received) : received;
+        this.#notifyOf(shownEvent);
+        if (event.kind === 'path' || event.kind === 'report') this.#missing.markLoaded('interpreter');
+        if (received.kind === 'report' && shownEvent.kind === 'report')
+          this.#onReport(received.report, shownEvent.report.diagnostics);
         else if (event.kind === 'part-failed') this.#onPartFailed(event);
         else if (event.kind === 'parts-loaded') this.#missing.markLoaded('parts');
         // Wait a moment for the first picture, which a short program has soon. In a hidden tab it never comes.
@@ -217,6 +224,7 @@ export class PlaygroundShell implements Shell {
       },
       onInputChanged: () => {
         this.#isReported = false;
+        this.#unfinished.drop();
         this.#missed?.events.clear();
         this.#notifyPanels((panel) => panel.onInputChanged?.());
         if (this.#isIdle) this.#onRunFailed();
@@ -255,6 +263,10 @@ export class PlaygroundShell implements Shell {
         void this.#loadOpenLink();
       },
     });
+    this.#unfinished = new Unfinished(this.editor, (event) => {
+      this.#notifyOf(event);
+      this.editor.diagnostics = event.report.diagnostics;
+    });
     const layout = (this.#layout = createLayout(this.view, this.editor.element));
     this.frame = layout.frame;
     this.#regions = layout.regions;
@@ -285,6 +297,7 @@ export class PlaygroundShell implements Shell {
     this.#darkScheme.removeEventListener('change', this.coloursChanged);
     this.#paper.disconnect();
     this.#missing.cancelRetries();
+    this.#unfinished.drop();
     this.#notifyPanels((panel) => panel.onDisconnected?.());
     this.#runs.end();
   }
@@ -432,6 +445,10 @@ export class PlaygroundShell implements Shell {
     ];
   }
 
+  get diagnostics(): readonly Diagnostic[] {
+    return this.#diagnostics;
+  }
+
   get setup(): string | null {
     return this.#host.setup;
   }
@@ -492,6 +509,10 @@ export class PlaygroundShell implements Shell {
     if (as === 'another') this.#notifyPanels((panel) => panel.onTextInserted?.(0, this.editor.length));
   }
 
+  addStyles(styles: string): void {
+    adoptStyles(this.root, [styles]);
+  }
+
   notifyFileChanged(): void {
     this.#events.onChange();
   }
@@ -523,7 +544,7 @@ export class PlaygroundShell implements Shell {
     return (await this.#helpAt({ by: 'pointer', about: 'word', offset }, 100))?.word;
   }
 
-  async #completionAt(offset: number, isExplicit: boolean): Promise<CompletionHelp | undefined> {
+  async completionAt(offset: number, isExplicit: boolean): Promise<CompletionHelp | undefined> {
     this.flush();
     return (await this.#helpAt({ by: 'completion', about: 'completion', offset, isExplicit }, 20))?.completion;
   }
@@ -623,6 +644,12 @@ export class PlaygroundShell implements Shell {
     }
   }
 
+  /** Tells the panels of an event, also those that are loaded later. */
+  #notifyOf(event: CoreEvent): void {
+    this.#missed?.events.set(event.kind, event);
+    this.#notifyPanels((panel) => panel.onEvent?.(event));
+  }
+
   #notifyPanels(notify: (panel: Panel) => void): void {
     for (const panel of this.#panels) notify(panel);
   }
@@ -656,14 +683,16 @@ export class PlaygroundShell implements Shell {
     return merged.kind === 'setup' ? merged.json : undefined;
   }
 
-  #onReport(report: Report): void {
+  /** `shown`: the problems without those that are held back. */
+  #onReport(report: Report, shown: readonly Diagnostic[]): void {
     const { summary, diagnostics, setupRejected } = report;
+    this.#diagnostics = diagnostics;
     this.#isReported = true;
     const rejected = this.#setupError ?? setupRejected;
     if (rejected === undefined) this.service('hideNotice')('setup');
     else this.service('notice')(WORDS[this.#language].setupRejected(rejected), 'setup');
     this.#setAvailable(hasMotions(report));
-    this.editor.diagnostics = diagnostics;
+    this.editor.diagnostics = shown;
     this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', {
       summary,
       diagnostics: diagnosticsInFile(diagnostics, this.editor),
@@ -775,7 +804,7 @@ const FURTHER: Readonly<Record<View, (() => Promise<Further>) | undefined>> = {
 };
 
 /** Removes the fixes, which are useless if the program is read-only. */
-function withoutFixes(event: Extract<CoreEvent, { readonly kind: 'report' }>): CoreEvent {
+function withoutFixes(event: ReportEvent): ReportEvent {
   const diagnostics = event.report.diagnostics.map((diagnostic) => ({ ...diagnostic, fixes: [] }));
   return { ...event, report: { ...event.report, diagnostics } };
 }
