@@ -16,6 +16,7 @@ use crate::machine::defaults::with_defaults;
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::message::{Levels, Severity};
 use crate::motion::Motions;
+use crate::playback::timing::ASSUMED_RAPID;
 use crate::sentences::{Language, labels};
 use crate::setup::as_comments::{self, Change};
 use crate::setup::dialect::{DecimalChoice, DecimalRule, Dialect, DialectChoice, GSystem};
@@ -23,7 +24,7 @@ use crate::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
 use crate::setup::fields::{self, Entry, Field, Value};
 use crate::setup::notes::{Notes, tool_name};
 use crate::setup::{Machine, Setup, Tool, ToolKind};
-use crate::units::Diameter;
+use crate::units::{Diameter, Unit};
 
 /// Which of stock and tools are given, and which are inferred.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -186,6 +187,8 @@ pub struct FormInput<'a> {
     pub decimal: DecimalRule,
     /// The G-code system that was recognised in the program.
     pub system: Option<GSystem>,
+    /// The unit that was recognised in the program, if no code selects it.
+    pub unit: Option<Unit>,
     /// The language of labels.
     pub language: Language,
 }
@@ -362,7 +365,8 @@ impl FormInput<'_> {
         put(&mut all, "stock.", fields::STOCK, &stock, language);
         put(&mut all, "initial.", fields::START, &draft::start_base(), language);
         put(&mut all, "tailstock.", fields::TAILSTOCK, &NO_TAILSTOCK, language);
-        let machine = Machine { y_axis: Some(false), ..Machine::default() };
+        let rapid = Some(ASSUMED_RAPID);
+        let machine = Machine { rapid_x: rapid, rapid_z: rapid, y_axis: Some(false), ..Machine::default() };
         put(&mut all, "machine.", fields::MACHINE, &machine, language);
         for (key, usual) in [("stock.bore", "0"), ("stock.face", "0")] {
             let place = all.entry(key.into()).or_insert(None);
@@ -370,7 +374,7 @@ impl FormInput<'_> {
         }
         let rear = labels::choice(fields::Name::Turret, "rear", language);
         all.insert("machine.turret".into(), Some(rear.into()));
-        put(&mut all, "dialect.", fields::DIALECT, &in_force(draft, self.system), language);
+        put(&mut all, "dialect.", fields::DIALECT, &self.in_force(draft), language);
         let holds = labels::choice(fields::Name::Decimal, DecimalChoice::from(self.decimal).name(), language);
         all.insert("dialect.decimal".into(), Some(holds.into()));
         put(&mut all, "rules.", fields::RULES, &Levels::default(), language);
@@ -396,23 +400,24 @@ impl FormInput<'_> {
         }
         all
     }
-}
 
-/// The defaults of the control switches, for the control that is entered.
-fn in_force(draft: &Draft, recognised: Option<GSystem>) -> DialectChoice {
-    let dialect = Dialect::new(&draft.setup.dialect);
-    DialectChoice {
-        control: Some(dialect.control),
-        g_system: draft.setup.dialect.g_system.or(recognised).or(Some(dialect.g_system)),
-        unit: Some(dialect.unit),
-        feed_mode: Some(dialect.feed_mode),
-        pq_unit: Some(dialect.pq_unit),
-        ref_point: Some(dialect.ref_point),
-        recognise: Some(draft.setup.dialect.recognise.unwrap_or(true)),
-        strict: Some(dialect.strict),
-        type_ii: Some(dialect.type_ii),
-        negative_arc_r: Some(dialect.negative_arc_r),
-        ..DialectChoice::default()
+    /// The defaults of the control switches, for the control that is entered.
+    fn in_force(&self, draft: &Draft) -> DialectChoice {
+        let entered = &draft.setup.dialect;
+        let dialect = Dialect::new(entered);
+        DialectChoice {
+            control: Some(dialect.control),
+            g_system: entered.g_system.or(self.system).or(Some(dialect.g_system)),
+            unit: entered.unit.or(self.unit).or(Some(dialect.unit)),
+            feed_mode: Some(dialect.feed_mode),
+            pq_unit: Some(dialect.pq_unit),
+            ref_point: Some(dialect.ref_point),
+            recognise: Some(entered.recognise.unwrap_or(true)),
+            strict: Some(dialect.strict),
+            type_ii: Some(dialect.type_ii),
+            negative_arc_r: Some(dialect.negative_arc_r),
+            ..DialectChoice::default()
+        }
     }
 }
 

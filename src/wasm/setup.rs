@@ -9,6 +9,7 @@ use crate::machine::inferred::inferred_setup;
 use crate::machine::resolved_setup::ResolvedSetup;
 use crate::parts::late;
 use crate::setup::draft::Entry;
+use crate::units::Unit;
 
 #[wasm_bindgen(typescript_custom_section)]
 const PLACE: &str = "/** Where a setup is kept. */\nexport type SetupPlace = \"program\" | \"page\";";
@@ -117,6 +118,7 @@ impl Playground {
             inferred: &inferred,
             decimal: run.decimal_rule(),
             system: run.recognised_system(),
+            unit: run.concludes_inches().then_some(Unit::Inch),
             language: self.language,
         })
     }

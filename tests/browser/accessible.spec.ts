@@ -64,6 +64,10 @@ const OPENERS: Readonly<Record<string, (page: ChromiumPage) => Promise<void>>> =
   // The cursor is in the blank line after the program.
   'insert cycle': press(/^(Insert cycle|插入循环|Вставить цикл)…$/),
   setup: press(/^(Setup|毛坯与刀具|Наладка)/),
+  'pictures of the setup': async (page) => {
+    await press(/^(Setup|毛坯与刀具|Наладка)/)(page);
+    await press(/(: choose by picture|：按图选择|: выбрать по рисунку)$/)(page);
+  },
   machines: async (page) => {
     await chip(page).click();
     await press(/^(Choose machine|选择机床|Выбрать станок)/)(page);

@@ -54,6 +54,9 @@ test('a phone shows title, drawing, playback, program and tabs together, with no
   await expect(drawing(page)).toBeInViewport();
   // The tab says it already.
   await expect(problemsButton(page)).toBeHidden();
+  // A finger covers the place that it points at.
+  await page.getByRole('img', { name: /tool path/ }).tap({ position: { x: 200, y: 60 } });
+  await expect(page.locator('[part~=pointer]')).toBeHidden();
   await context.close();
 });
 

@@ -1,8 +1,21 @@
 // Machines and tool tables are stored under names, and an exported file is a setup. Own programs start with the
-// selected machine; programs of the page keep their own setup.
+// selected machine, which may be one of the examples; programs of the page keep their own setup.
 import { readFileSync } from 'node:fs';
 import { expect, test, type Locator, type Page } from './engines';
-import { chip, chooseExample, copy, editor, open, openFile, status, value, titleText } from './page';
+import {
+  chip,
+  chooseExample,
+  chooseLanguage,
+  copy,
+  editor,
+  locate,
+  open,
+  openFile,
+  problems,
+  status,
+  value,
+  titleText,
+} from './page';
 
 const PROGRAM = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n';
 const SHOP = {
@@ -114,4 +127,72 @@ test('machine and tools of a program are stored separately, and a file that is n
   await expect(dialog(page).getByText(/bad.json is not a setup: .*stok/)).toBeVisible();
   await dialog(page).getByRole('button', { name: 'Delete: Set A' }).click();
   await expect(dialog(page).getByText('No tool table is kept yet.')).toBeVisible();
+});
+
+/**
+ * 5000 mm of rapid along Z, 1000 mm along X (2000 on the diameter), then a cut of 100 mm at 0.1 mm/rev and 6000 rpm. At
+ * the assumed rapid rate of 8 m/min: 37.5 s, 7.5 s and 10 s.
+ */
+const LONG = `O0001\nG21 G99 T0101\nG97 S6000 M3\n${'G0 Z-300\nZ200\n'.repeat(5)}${'X0\nX200\n'.repeat(5)}G1 Z100 F0.1\nM30\n`;
+
+for (const { name, control, total, turret, end } of [
+  // 5 m at 24 m/min, 1 m at 20 m/min, 100 mm at 5000 rpm: 12.5 s, 3 s, 12 s.
+  { name: 'Small lathe, FANUC', control: 'FANUC', total: '0:27', turret: 'rear', end: 'Z-320' },
+  // 500 in/min and 400 in/min, 3000 rpm: 23.622 s, 5.906 s, 20 s.
+  { name: 'Small lathe in inches, FANUC', control: 'FANUC', total: '0:49', turret: 'rear', end: 'Z-508' },
+  // 8 m/min and 4 m/min, 2000 rpm: 37.5 s, 15 s, 30 s.
+  { name: 'Small lathe, GSK 980TD', control: 'GSK 980TD', total: '1:22', turret: 'front', end: 'Z-500' },
+] as const) {
+  test(`an example machine changes control, times and travel: ${name}`, async ({ page }) => {
+    const time = page.locator('[part~=time]');
+    await open(page);
+    await openFile(page, 'own.nc', Buffer.from(LONG));
+    await expect(time).toHaveText('0:55');
+    await openMachines(page);
+    await expect(dialog(page).getByText('No machine is kept yet.')).toBeVisible();
+    await expect(dialog(page).getByText(/^Example values/)).toBeVisible();
+    await dialog(page)
+      .getByRole('button', { name: `Use: ${name}`, exact: true })
+      .click();
+    await expect(page.getByText(`${name} is in the setup of this page now`)).toBeVisible();
+    await expect(chip(page)).toContainText(control);
+    await expect(time).toHaveText(total);
+    await expectMachine(page, `Machine: ${name}`);
+    expect((await locate(page, 50, 0)).y > (await locate(page, 0, 0)).y).toBe(turret === 'front');
+
+    await test.step('its travel ends the path', async () => {
+      await openFile(page, 'far.nc', Buffer.from(LONG.replace('Z-300', 'Z-600')));
+      await expect(problems(page).getByText(`beyond the travel of the machine, which ends at ${end}`)).toBeVisible();
+      await expectMachine(page, `Machine: ${name}`);
+    });
+    await test.step('it is marked in the list, and the next visit begins with it', async () => {
+      await page.reload();
+      await expectMachine(page, `Machine: ${name}`);
+      await openMachines(page);
+      await expect(dialog(page).getByText(`${name} (in use)`)).toBeVisible();
+      await dialog(page).getByRole('button', { name: 'Use no machine' }).click();
+      await expectMachine(page, 'Choose machine');
+      expect(await setup(page)).toEqual({});
+    });
+  });
+}
+
+test('the inch machine reads a program without G20 in inches', async ({ page }) => {
+  await open(page);
+  await openFile(page, 'own.nc', Buffer.from(PROGRAM));
+  await expect(chip(page)).toContainText('mm');
+  await openMachines(page);
+  await dialog(page).getByRole('button', { name: 'Use: Small lathe in inches, FANUC' }).click();
+  await expect(chip(page)).toContainText('inch');
+});
+
+test('an example machine has its name in the language of the page', async ({ page }) => {
+  await open(page);
+  await openFile(page, 'own.nc', Buffer.from(PROGRAM));
+  await openMachines(page);
+  await dialog(page).getByRole('button', { name: 'Use: Small lathe, GSK 980TD' }).click();
+  await expectMachine(page, 'Machine: Small lathe, GSK 980TD');
+  await chooseLanguage(page, 'ru');
+  await chip(page).click();
+  await expect(page.getByRole('button', { name: 'Станок: Малый станок, GSK 980TD' })).toBeVisible();
 });

@@ -3,6 +3,7 @@
 import { expect, test, type Locator, type Page } from './engines';
 import {
   chip,
+  choose,
   chooseControl,
   editor,
   open,
@@ -16,6 +17,10 @@ import {
 } from './page';
 
 const PROGRAM = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n';
+
+/** Recognised as inches: no code selects the unit. */
+const INCHES =
+  'O0001 (PIN 1/2 IN)\nT0101\nG97 G99 S800 M03\nG00 X0.87 Z0.1\nG01 Z-1.125 F0.008\nX0.95\nG00 X2.0 Z2.0\nM30\n';
 
 const setupButton = (page: Page): Locator => page.getByRole('button', { name: /^Setup/ });
 const form = (page: Page): Locator => page.getByRole('dialog', { name: 'Setup' });
@@ -196,6 +201,114 @@ test('a tool can be added', async ({ page }) => {
   await form(page).getByLabel('Another tool').fill('3');
   await form(page).getByRole('button', { name: 'Add' }).click();
   await expect(field(page, 'Tool T0303', 'Kind')).toBeFocused();
+});
+
+const pictureButton = (page: Page, label: string): Locator =>
+  form(page)
+    .getByRole('region', { name: 'Tool T0101' })
+    .getByRole('button', { name: `${label}: choose by picture` });
+const picture = (page: Page, name: string): Locator => form(page).getByRole('radio', { name, exact: true });
+
+test('the tip direction is chosen by picture, for the side of the turret in force', async ({ page }) => {
+  await begin(page);
+  await openForm(page);
+  const tip = field(page, 'Tool T0101', 'Tool-tip direction');
+  const button = pictureButton(page, 'Tool-tip direction');
+  const isAbove = async (one: string, other: string): Promise<boolean> =>
+    ((await picture(page, one).boundingBox())?.y ?? 0) < ((await picture(page, other).boundingBox())?.y ?? 0);
+
+  await test.step('by keys', async () => {
+    await expect(tip).toHaveAttribute('placeholder', '3 (assumed)');
+    await button.focus();
+    await page.keyboard.press('Enter');
+    await expect(form(page).getByRole('radio')).toHaveCount(9 + 2);
+    // The assumed one has the focus, but is not chosen.
+    await expect(picture(page, '3, X− Z−')).toBeFocused();
+    await expect(picture(page, '3, X− Z−')).toHaveAttribute('aria-checked', 'false');
+    expect(await isAbove('2, X+ Z−', '3, X− Z−')).toBe(true);
+    // The picture above 3 is 7, and above 7 is 2.
+    await page.keyboard.press('ArrowUp');
+    await expect(picture(page, '7, Z−')).toHaveAttribute('aria-checked', 'true');
+    await expect(tip).toHaveValue('7');
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('Enter');
+    await expect(picture(page, '2, X+ Z−')).toBeHidden();
+    await expect(button).toBeFocused();
+    await expect(tip).toHaveValue('2');
+    await expect(form(page)).toBeVisible();
+  });
+  await test.step('Escape closes the pictures, not the form', async () => {
+    await button.click();
+    await expect(picture(page, '2, X+ Z−')).toHaveAttribute('aria-checked', 'true');
+    await page.keyboard.press('Escape');
+    await expect(picture(page, '2, X+ Z−')).toBeHidden();
+    await expect(form(page)).toBeVisible();
+  });
+  await test.step('a typed 9 is the centre, and stays', async () => {
+    await tip.fill('9');
+    await button.click();
+    await expect(picture(page, '0, 9, centre of the nose')).toHaveAttribute('aria-checked', 'true');
+    await page.keyboard.press('Escape');
+    await expect(tip).toHaveValue('9');
+  });
+  await test.step('with the turret in front, X+ is below', async () => {
+    await form(page).getByText('Machine', { exact: true }).click();
+    await form(page).getByLabel('Turret', { exact: true }).selectOption('front');
+    await button.click();
+    expect(await isAbove('3, X− Z−', '2, X+ Z−')).toBe(true);
+    await picture(page, '4, X− Z+').click();
+    await expect(picture(page, '4, X− Z+')).toBeHidden();
+    await form(page).getByRole('button', { name: 'Apply' }).click();
+    await expect(form(page)).toBeHidden();
+    expect(JSON.parse((await attribute(page)) ?? '')).toMatchObject({
+      machine: { turret: 'front' },
+      tools: { T0101: { tip: 4 } },
+    });
+  });
+  await test.step('the side in the picture counts, too', async () => {
+    await choose(page, 'more', /^Front turret/);
+    await openForm(page);
+    await button.click();
+    expect(await isAbove('2, X+ Z−', '3, X− Z−')).toBe(true);
+  });
+});
+
+test('the shape of an insert is chosen by picture, and the rest of its designation stays', async ({ page }) => {
+  await begin(page);
+  await openForm(page);
+  const insert = field(page, 'Tool T0101', 'Insert (ISO)');
+  await pictureButton(page, 'Insert (ISO)').click();
+  await picture(page, 'V, 35°').click();
+  await expect(insert).toHaveValue('V');
+  await insert.fill('CNMG120408');
+  await expect(field(page, 'Tool T0101', 'Point angle')).toHaveAttribute('placeholder', '80 (assumed)');
+  await pictureButton(page, 'Insert (ISO)').click();
+  await expect(picture(page, 'C, 80°')).toHaveAttribute('aria-checked', 'true');
+  await picture(page, 'D, 55°').click();
+  await expect(insert).toHaveValue('DNMG120408');
+  await expect(field(page, 'Tool T0101', 'Point angle')).toHaveAttribute('placeholder', '55 (assumed)');
+
+  // A threading insert has no such shape.
+  await field(page, 'Tool T0101', 'Kind').selectOption('threading');
+  await expect(pictureButton(page, 'Insert (ISO)')).toBeHidden();
+  await expect(insert).toHaveValue('DNMG120408');
+  await expect(pictureButton(page, 'Tool-tip direction')).toBeVisible();
+});
+
+test('the rapid rate and the unit that the run assumes are shown in the fields', async ({ page }) => {
+  await begin(page);
+  await openForm(page);
+  await form(page).getByText('Machine', { exact: true }).click();
+  const rapid = (axis: string): Locator => form(page).getByLabel(`Rapid traverse ${axis}`, { exact: true });
+  for (const axis of ['X', 'Z']) await expect(rapid(axis)).toHaveAttribute('placeholder', '8000 (assumed)');
+  await form(page).getByText('Control', { exact: true }).first().click();
+  const unit = form(page).getByLabel('Unit without G20 or G21', { exact: true });
+  await expect(unit).toContainText('mm (assumed)');
+  await form(page).getByRole('button', { name: 'Close' }).click();
+  await openFile(page, 'inch.nc', Buffer.from(INCHES));
+  await expect(chip(page)).toContainText('inch');
+  await openForm(page);
+  await expect(unit).toContainText('inch (assumed)');
 });
 
 test('invalid values are reported at their fields', async ({ page }) => {

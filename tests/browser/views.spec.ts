@@ -1,6 +1,19 @@
-// The views beside the section: the end face, the side of the turret, dimensions of an edge, and two compared parts.
+// The views beside the section: the end face, the side of the turret, dimensions of an edge, the place of the pointer,
+// and two compared parts.
 import { expect, test, type Page } from './engines';
-import { choose, chooseExample, editor, locate, open, openMenu, program, status, tooltip, type } from './page';
+import {
+  choose,
+  chooseExample,
+  editor,
+  locate,
+  open,
+  openMenu,
+  openReading,
+  program,
+  status,
+  tooltip,
+  type,
+} from './page';
 
 interface Playground extends HTMLElement {
   locateOnFace(x: number, c: number): Promise<{ clientX: number; clientY: number }>;
@@ -72,4 +85,69 @@ test('a kept part is compared with the next one, and the difference is measured'
   await expect(page.getByText('1.667 mm in radius at Z−16.667; 3.333 mm along Z at X50')).toBeVisible();
   await page.getByRole('button', { name: 'End comparison' }).click();
   await expect(page.getByText('only in the kept part')).toBeHidden();
+});
+
+test.describe('X and Z at the pointer', () => {
+  const place = (page: Page) => page.locator('[part~=pointer]');
+
+  /** X, Z and the number of their decimals, as shown: "X ⌀30.2Z−20.1". */
+  const shown = async (page: Page): Promise<{ x: number; z: number; decimals: number }> => {
+    const text = ((await place(page).textContent()) ?? '').replaceAll('−', '-');
+    const [, x = '', z = ''] = /^X ⌀(-?[\d.]+)Z(-?[\d.]+)/.exec(text) ?? [];
+    return { x: Number(x), z: Number(z), decimals: z.split('.')[1]?.length ?? 0 };
+  };
+
+  /** Moves the mouse to a point (X a diameter, Z; mm), and checks what is shown: a pixel is at most 0.25 mm. */
+  const check = async (page: Page, x: number, z: number, unit = 1): Promise<void> => {
+    const point = await locate(page, x, z);
+    await page.mouse.move(point.x, point.y);
+    await expect(place(page)).toBeVisible();
+    await expect.poll(async () => Math.abs((await shown(page)).x - x / unit)).toBeLessThan(0.6 / unit);
+    expect(Math.abs((await shown(page)).z - z / unit)).toBeLessThan(0.3 / unit);
+  };
+
+  test('are shown over the section only, and move nothing', async ({ page }) => {
+    await open(page, '#s003-g71');
+    const legend = page.locator('[part~=legend]');
+    const before = await legend.boundingBox();
+    await expect(place(page)).toBeHidden();
+    await check(page, 30, -20);
+    expect(await legend.boundingBox()).toEqual(before);
+    await check(page, 60, 2);
+    // Below the axis X is negative.
+    await check(page, -40, -30);
+    // Screen readers do not read it with each movement.
+    await expect(place(page)).toHaveAttribute('aria-hidden', 'true');
+
+    await test.step('with more digits in a larger picture', async () => {
+      const { decimals } = await shown(page);
+      await section(page).focus();
+      for (let step = 0; step < 12; step++) await page.keyboard.press('=');
+      await expect.poll(async () => (await shown(page)).decimals).toBeGreaterThan(decimals);
+    });
+    await test.step('until the pointer leaves', async () => {
+      const box = await editor(page).boundingBox();
+      await page.mouse.move((box?.x ?? 0) + 20, (box?.y ?? 0) + 20);
+      await expect(place(page)).toBeHidden();
+    });
+  });
+
+  test('follow the side of the turret and the unit', async ({ page }) => {
+    await open(page, '#s003-g71');
+    await choose(page, 'more', 'Front turret');
+    await check(page, 30, -20);
+    await openReading(page);
+    await page.getByRole('button', { name: /^Lengths in mm/ }).click();
+    await page.keyboard.press('Escape');
+    await check(page, 30, -20, 25.4);
+    await expect(place(page)).toContainText('in');
+  });
+
+  test('are not shown over the end face', async ({ page }) => {
+    await open(page, '#s002-g121-square');
+    await check(page, 30, -5);
+    const box = await face(page).boundingBox();
+    await page.mouse.move((box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2);
+    await expect(place(page)).toBeHidden();
+  });
 });

@@ -94,8 +94,8 @@ export function icon(name: IconName): HTMLElement {
   return make('span', { className: `icon icon-${name}`, 'aria-hidden': 'true' }, svg);
 }
 
-/** Not from HTML: a page's policy may forbid setting HTML from a script. */
-function makeSvg(tag: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
+/** Makes an element of SVG. Not from HTML: a page's policy may forbid setting HTML from a script. */
+export function makeSvg(tag: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   return element;

@@ -24,6 +24,8 @@ export interface DrawingEvents {
   pan(dx: number, dy: number): void;
   zoom(factor: number, x: number, y: number): void;
   onPoint(x: number, y: number): void;
+  /** The mouse is over the picture, and nothing is dragged; until `onLeave`. */
+  onMouse?(x: number, y: number): void;
   onLeave(): void;
   /** `keepFocus`: a finger tapped, and an on-screen keyboard must not open. */
   onClick(x: number, y: number, keepFocus: boolean): void;
@@ -93,8 +95,8 @@ export class Drawing {
   #dragDistance = 0;
   #pendingPan = { dx: 0, dy: 0 };
   #pointer = { x: 0, y: 0 };
-  /** Whether the pointer is over the picture and nothing is dragged. */
-  #isHovering = false;
+  /** The pointer that is over the picture, while nothing is dragged. */
+  #hovering: 'mouse' | 'other' | undefined;
 
   constructor(language: Language, events: DrawingEvents) {
     this.#language = language;
@@ -103,6 +105,7 @@ export class Drawing {
       pan: (dx, dy) => events.pan(dx / this.scale, dy / this.scale),
       zoom: (factor, x, y) => events.zoom(factor, x / this.scale, y / this.scale),
       onPoint: (x, y) => events.onPoint(x / this.scale, y / this.scale),
+      onMouse: (x, y) => events.onMouse?.(x / this.scale, y / this.scale),
       onClick: (x, y, keepFocus) => events.onClick(x / this.scale, y / this.scale, keepFocus),
     };
     this.element = make(
@@ -309,7 +312,7 @@ export class Drawing {
     const before = this.#pointers.get(event.pointerId);
     if (before === undefined) {
       this.#pointer = now;
-      this.#isHovering = true;
+      this.#hovering = event.pointerType === 'mouse' ? 'mouse' : 'other';
       this.#reportPointer();
       return;
     }
@@ -352,13 +355,15 @@ export class Drawing {
   }
 
   #onLeave(): void {
-    this.#isHovering = false;
+    this.#hovering = undefined;
     this.#events.onLeave();
   }
 
   readonly #reportPointer = perFrame(() => {
     // The pointer may have left since.
-    if (this.#isHovering) this.#events.onPoint(this.#pointer.x, this.#pointer.y);
+    if (this.#hovering === undefined) return;
+    this.#events.onPoint(this.#pointer.x, this.#pointer.y);
+    if (this.#hovering === 'mouse') this.#events.onMouse?.(this.#pointer.x, this.#pointer.y);
   });
   readonly #reportPan = perFrame(() => {
     this.#events.pan(this.#pendingPan.dx, this.#pendingPan.dy);

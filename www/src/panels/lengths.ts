@@ -32,6 +32,12 @@ export function formatCoordinate(mm: number, unit: LengthUnit): string {
   return formatSigned(toUnit(mm, unit), DECIMALS[unit]);
 }
 
+/** Formats a coordinate, mm, with the decimals that a movement of `step`, mm, changes. */
+export function formatPlace(mm: number, unit: LengthUnit, step: number): string {
+  const decimals = Math.ceil(-Math.log10(toUnit(step, unit)));
+  return formatSigned(toUnit(mm, unit), Math.min(Math.max(decimals, 0), DECIMALS[unit]));
+}
+
 /** Formats a number with at most this number of decimals. */
 export function formatShort(value: number, decimals: number): string {
   return formatSigned(Number(value.toFixed(decimals)), undefined);

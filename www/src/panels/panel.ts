@@ -19,6 +19,7 @@ import type {
   ExportFormat,
   PictureName,
   Pictures,
+  SectionScale,
   QuestionKind,
   Questions,
   Readout,
@@ -98,7 +99,7 @@ export interface Panel {
   /** An event of the newest run. */
   onEvent?(event: CoreEvent): void;
   /** Pictures of the newest run. The panel owns the images. */
-  onPictures?(pictures: Pictures): void;
+  onPictures?(pictures: Pictures, scale: SectionScale): void;
   /** The user has moved the cursor, or typed. */
   onCursorMoved?(): void;
   /** The user has changed the values to try for variables. */

@@ -15,6 +15,7 @@ import {
   type LengthUnit,
   type PictureName,
   type Pictures as Images,
+  type SectionScale,
   type Stroke,
   type Summary,
 } from '../protocol/protocol';
@@ -22,6 +23,7 @@ import type { CoreEvent } from '../worker/core-client';
 import { dimensionText } from './dimension';
 import { Drawing, type DrawingEvents } from './drawing';
 import { formatLength } from './lengths';
+import { PointerPlace } from './pointer-place';
 import type { ClientPoint, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
 import picturesStyles from './pictures.css?inline';
 
@@ -43,6 +45,7 @@ class Pictures implements Panel {
   };
   /** A note over a picture of an earlier run. */
   readonly #oldNote = make('p', { className: 'old-picture', part: 'old-picture', hidden: true });
+  readonly #place = new PointerPlace();
   /** The counts of the newest run, until its picture arrives. */
   #pendingSummary: Summary | undefined;
   /** The run of the old picture. */
@@ -71,7 +74,11 @@ class Pictures implements Panel {
         onSection.onPoint(x, y);
         edge.ask({ x, y });
       },
-      onLeave() {
+      onMouse: (x, y) => {
+        this.#place.pointer = [x, y];
+      },
+      onLeave: () => {
+        this.#place.pointer = undefined;
         edge.cancel();
         shell.send({ kind: 'leave-edge' });
         section.showEdge(undefined);
@@ -85,7 +92,7 @@ class Pictures implements Panel {
     this.#drawings = { section, face, side };
     face.element.hidden = side.element.hidden = true;
     for (const picture of PICTURES) this.#drawings[picture].element.style.setProperty('--picture', picture);
-    section.element.append(this.#oldNote);
+    section.element.append(this.#oldNote, this.#place.element);
     this.elements = {
       [shell.showsProgram ? 'views' : 'playback']: [section.viewButtons],
       pictures: [section.element, face.element, side.element, section.legend],
@@ -95,6 +102,7 @@ class Pictures implements Panel {
   set language(language: Language) {
     const texts = WORDS[language];
     for (const picture of PICTURES) this.#drawings[picture].setLanguage(language, texts[picture]);
+    this.#place.setUnit(this.#unit, language);
     this.#showOldNote();
   }
 
@@ -109,13 +117,14 @@ class Pictures implements Panel {
     if (event.kind !== 'report') return;
     this.#drawings.section.summary = event.report.summary;
     this.#unit = event.report.units.shown;
+    this.#place.setUnit(this.#unit, this.#shell.language);
     const [x, z] = event.report.overview.start ?? [];
     this.#drawings.section.start =
       x === undefined || z === undefined ? '' : `X${formatLength(x, this.#unit)} Z${formatLength(z, this.#unit)}`;
     for (const drawing of Object.values(this.#drawings)) drawing.repeatHitTest();
   }
 
-  onPictures(images: Images): void {
+  onPictures(images: Images, scale: SectionScale): void {
     if (this.#oldRun !== undefined) {
       const summary = this.#pendingSummary;
       this.#setOldRun(undefined);
@@ -123,6 +132,7 @@ class Pictures implements Panel {
     }
     this.#pictureState = 'current';
     this.#showOldNote();
+    this.#place.scale = scale;
     for (const picture of PICTURES) {
       const image = images[picture];
       if (image !== undefined) this.#drawings[picture].show(image);
@@ -141,6 +151,8 @@ class Pictures implements Panel {
     const text = run !== undefined ? texts.old(run) : this.#pictureState === 'old' ? texts.notRun : '';
     this.#oldNote.hidden = text === '';
     this.#oldNote.textContent = text;
+    // An old picture may be stretched.
+    if (text !== '') this.#place.scale = undefined;
     for (const { element } of Object.values(this.#drawings)) element.classList.toggle('is-old', text !== '');
   }
 

@@ -1,5 +1,5 @@
-// The dialog in which machines and tool tables are stored under names, applied, exported and imported. A file contains
-// a setup, as the command line reads it.
+// The dialog in which machines and tool tables are stored under names, applied, exported and imported. It also offers
+// example machines. A file contains a setup, as the command line reads it.
 //
 // In: the profiles of the run. Out: the profile that the user applies. Must not know: the contents of a profile.
 
@@ -9,15 +9,28 @@ import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import { download } from '../editor/program-files';
 import type { ProfileKind, ProfilesResult, Profiles } from '../protocol/protocol';
-import { chosenMachine, deleteProfile, saveProfile, storedProfile, storedProfileNames } from './stored-profiles';
+import { EXAMPLE_MACHINE_IDS, EXAMPLE_MACHINES } from './example-machines';
+import { formatShort, MM_PER_UNIT } from './lengths';
+import {
+  chosenMachine,
+  deleteProfile,
+  machineName,
+  saveProfile,
+  storedProfile,
+  storedProfileNames,
+  type MachineChoice,
+} from './stored-profiles';
 
 /** A setup is short: a longer file is rejected. */
 const MAX_FILE_BYTES = 1 << 20;
+/** Millimetres for the unit of a rapid traverse rate: m/min, in/min. */
+const MM_PER_RATE = { mm: 1000, inch: MM_PER_UNIT.inch } as const;
 const KINDS = ['machine', 'tools'] as const;
 
 interface ProfilesEvents {
-  /** `name` undefined: no particular machine. */
-  onApply(kind: ProfileKind, name: string | undefined): void;
+  /** Undefined: no particular machine. */
+  onUseMachine(machine: MachineChoice | undefined): void;
+  onUseTools(name: string): void;
   /** Undefined if there is no worker. */
   read(json: string): Promise<ProfilesResult | undefined>;
   /** The stored profiles have changed. */
@@ -32,9 +45,9 @@ export class ProfilesDialog {
   readonly #status = make('p', { className: 'news', role: 'status' });
   readonly #dialog: Dialog;
   #language: Language;
-  /** The profiles of the program, and the name that its machine is stored under. */
+  /** The profiles of the program, and its machine, if it is the chosen one. */
   #current: Profiles = {};
-  #machine: string | undefined;
+  #machine: MachineChoice | undefined;
 
   constructor(language: Language, events: ProfilesEvents) {
     this.#language = language;
@@ -71,7 +84,7 @@ export class ProfilesDialog {
     return this.#dialog.open;
   }
 
-  show(own: Profiles, machine: string | undefined): void {
+  show(own: Profiles, machine: MachineChoice | undefined): void {
     this.#current = own;
     this.#machine = machine;
     this.#status.textContent = '';
@@ -88,44 +101,91 @@ export class ProfilesDialog {
     const title = texts.titles[kind];
     const rows = storedProfileNames(kind).map((name) => this.#renderRow(kind, name));
     const none = kind === 'machine' && chosenMachine() !== undefined ? [this.#noMachineRow()] : [];
-    const list =
-      rows.length === 0 ? make('p', { className: 'about' }, texts.nothing[kind]) : make('ul', {}, ...none, ...rows);
-    return make('section', { 'aria-label': title }, make('h3', {}, title), list, this.#saveForm(kind));
+    const list = [...none, ...rows];
+    return make(
+      'section',
+      { 'aria-label': title },
+      make('h3', {}, title),
+      ...(rows.length === 0 ? [make('p', { className: 'about' }, texts.nothing[kind])] : []),
+      ...(list.length === 0 ? [] : [make('ul', {}, ...list)]),
+      this.#saveForm(kind),
+      ...(kind === 'machine' ? this.#renderExamples() : []),
+    );
+  }
+
+  #renderExamples(): HTMLElement[] {
+    const texts = WORDS[this.#language];
+    const rows = EXAMPLE_MACHINE_IDS.map((id) => {
+      const machine: MachineChoice = { from: 'examples', id };
+      const { dialect, machine: values } = EXAMPLE_MACHINES[id];
+      const { rapidX, rapidZ, maxSpeed, turret } = values;
+      const { unit = 'mm' } = dialect;
+      const numbers = [rapidX, rapidZ].map((rate) => formatShort(rate / MM_PER_RATE[unit], 1)).join(' / ');
+      const rates = `${numbers} ${texts.rate[unit]}`;
+      return make(
+        'li',
+        {},
+        make(
+          'span',
+          { className: 'profile-name' },
+          this.#nameOf(machine),
+          make('span', { className: 'profile-facts' }, texts.facts(rates, maxSpeed, texts.turret[turret ?? 'rear'])),
+        ),
+        this.#button(texts.use, machine, () => this.#useMachine(machine)),
+      );
+    });
+    return [
+      make('h4', {}, texts.examples),
+      make('p', { className: 'about' }, texts.aboutExamples),
+      make('ul', { 'aria-label': texts.examples }, ...rows),
+    ];
   }
 
   #renderRow(kind: ProfileKind, name: string): HTMLElement {
     const texts = WORDS[this.#language];
-    const button = (text: string, act: () => void): HTMLElement => {
-      const element = make('button', { type: 'button', className: 'framed', 'aria-label': `${text}: ${name}` }, text);
-      element.addEventListener('click', act);
-      return element;
-    };
-    const isInUse = kind === 'machine' && name === this.#machine;
-    const label = make('span', { className: 'profile-name' }, isInUse ? texts.inUse(name) : name);
+    const profile: MachineChoice = { from: 'stored', name };
     return make(
       'li',
       {},
-      label,
-      button(texts.use, () => {
+      make('span', { className: 'profile-name' }, kind === 'machine' ? this.#nameOf(profile) : name),
+      this.#button(texts.use, profile, () => {
+        if (kind === 'machine') return this.#useMachine(profile);
         this.#dialog.close();
-        this.#events.onApply(kind, name);
+        this.#events.onUseTools(name);
       }),
-      button(texts.export, () => download(`${name}.json`, new TextEncoder().encode(storedProfile(kind, name) ?? '{}'))),
-      button(texts.delete, () => {
+      this.#button(texts.export, profile, () =>
+        download(`${name}.json`, new TextEncoder().encode(storedProfile(kind, name) ?? '{}')),
+      ),
+      this.#button(texts.delete, profile, () => {
         deleteProfile(kind, name);
         this.#onStored(texts.deleted(name));
       }),
     );
   }
 
+  #button(text: string, profile: MachineChoice, act: () => void): HTMLElement {
+    const label = `${text}: ${machineName(profile, this.#language)}`;
+    const button = make('button', { type: 'button', className: 'framed', 'aria-label': label }, text);
+    button.addEventListener('click', act);
+    return button;
+  }
+
+  #nameOf(machine: MachineChoice): string {
+    const name = machineName(machine, this.#language);
+    const isInUse = this.#machine?.from === machine.from && name === machineName(this.#machine, this.#language);
+    return isInUse ? WORDS[this.#language].inUse(name) : name;
+  }
+
+  #useMachine(machine: MachineChoice | undefined): void {
+    this.#dialog.close();
+    this.#events.onUseMachine(machine);
+  }
+
   /** The button that returns to no particular machine. */
   #noMachineRow(): HTMLElement {
     const texts = WORDS[this.#language];
     const button = make('button', { type: 'button', className: 'framed' }, texts.noMachine);
-    button.addEventListener('click', () => {
-      this.#dialog.close();
-      this.#events.onApply('machine', undefined);
-    });
+    button.addEventListener('click', () => this.#useMachine(undefined));
     return make('li', {}, button);
   }
 
@@ -198,6 +258,11 @@ const WORDS = words({
     use: 'Use',
     inUse: (name: string) => `${name} (in use)`,
     noMachine: 'Use no machine',
+    examples: 'Example machines',
+    aboutExamples: 'Example values: put in those of your machine in the setup form, then keep it here.',
+    facts: (rates: string, speed: number, turret: string) => `rapid traverse ${rates}, up to ${speed} rpm, ${turret}`,
+    rate: { mm: 'm/min', inch: 'in/min' },
+    turret: { rear: 'rear turret', front: 'front turret' },
     export: 'Export',
     delete: 'Delete',
     deleted: (name: string) => `${name} is deleted.`,
@@ -220,6 +285,11 @@ const WORDS = words({
     use: '使用',
     inUse: (name) => `${name}（使用中）`,
     noMachine: '不使用机床',
+    examples: '示例机床',
+    aboutExamples: '数值仅为示例：请在设置表中改为您机床的数值，再保存到这里。',
+    facts: (rates, speed, turret) => `快速移动 ${rates}，最高 ${speed} r/min，${turret}`,
+    rate: { mm: 'm/min', inch: 'in/min' },
+    turret: { rear: '后置刀架', front: '前置刀架' },
     export: '导出',
     delete: '删除',
     deleted: (name) => `已删除 ${name}。`,
@@ -243,6 +313,11 @@ const WORDS = words({
     use: 'Выбрать',
     inUse: (name) => `${name} (выбран)`,
     noMachine: 'Без станка',
+    examples: 'Примеры станков',
+    aboutExamples: 'Значения — пример: укажите в форме наладки значения своего станка и сохраните его здесь.',
+    facts: (rates, speed, turret) => `ускоренное перемещение ${rates}, до ${speed} об/мин, ${turret}`,
+    rate: { mm: 'м/мин', inch: 'дюйм/мин' },
+    turret: { rear: 'головка за осью шпинделя', front: 'головка перед осью шпинделя' },
     export: 'Экспорт',
     delete: 'Удалить',
     deleted: (name) => `Удалено: ${name}.`,

@@ -3,7 +3,7 @@
 //
 // In: the profiles of the run. Out: the setup with another profile. Must not know: what belongs to a machine.
 
-import { make } from '../dom/dom';
+import { make, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { ProfileKind } from '../protocol/protocol';
@@ -11,7 +11,14 @@ import type { CoreEvent } from '../worker/core-client';
 import { loadPart } from './load-part';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import type { ProfilesDialog } from './profiles-dialog';
-import { chooseMachine, chosenMachine, storedProfile } from './stored-profiles';
+import {
+  chooseMachine,
+  chosenMachine,
+  machineName,
+  machineSetup,
+  storedProfile,
+  type MachineChoice,
+} from './stored-profiles';
 import profilesStyles from './profiles.css?inline';
 
 export const profiles: PanelKind = {
@@ -26,8 +33,8 @@ class Profiles implements Panel {
   readonly #button = make('button', { type: 'button', className: 'framed', 'aria-haspopup': 'dialog' });
   /** Loaded when it is first opened. */
   #dialog: ProfilesDialog | undefined;
-  /** Name of the chosen machine if the program runs on it. */
-  #machine: string | undefined;
+  /** The chosen machine if the program runs on it. */
+  #machine: MachineChoice | undefined;
   readonly elements = {};
   readonly services: Partial<Services> = {
     machineButton: () => this.#button,
@@ -65,15 +72,17 @@ class Profiles implements Panel {
       chosenProfiles?.kind === 'profiles' &&
       current !== undefined &&
       current.machine === chosenProfiles.profiles.machine;
-    const machine = same ? chosen?.name : undefined;
-    if (machine === this.#machine) return;
-    this.#machine = machine;
+    this.#machine = same ? chosen?.machine : undefined;
     this.#render();
   }
 
   #render(): void {
-    const texts = WORDS[this.#shell.language];
-    this.#button.textContent = this.#machine === undefined ? texts.choose : texts.machine(this.#machine);
+    const { language } = this.#shell;
+    const texts = WORDS[language];
+    setText(
+      this.#button,
+      this.#machine === undefined ? texts.choose : texts.machine(machineName(this.#machine, language)),
+    );
   }
 
   async #open(): Promise<void> {
@@ -88,7 +97,8 @@ class Profiles implements Panel {
     if (part === undefined) return;
     if (this.#dialog === undefined) {
       this.#dialog = new part.ProfilesDialog(this.#shell.language, {
-        onApply: (kind, name) => void this.#apply(kind, name),
+        onUseMachine: (machine) => void this.#useMachine(machine),
+        onUseTools: (name) => void this.#apply('tools', storedProfile('tools', name), name),
         read: (json) => this.#shell.ask('profiles-in', { json }),
         onChange: () => void this.#compareMachines(),
       });
@@ -97,15 +107,20 @@ class Profiles implements Panel {
     this.#dialog.show(current ?? {}, this.#machine);
   }
 
-  /** Applies a profile; without a name, the program runs on no particular machine. */
-  async #apply(kind: ProfileKind, name: string | undefined): Promise<void> {
-    if (kind === 'machine') chooseMachine(name);
-    const json = name === undefined ? '{}' : (storedProfile(kind, name) ?? '{}');
-    const setup = await this.#shell.ask('with-profile', { json: this.#shell.setup ?? '{}', kind, profile: json });
+  /** Undefined: the program runs on no particular machine. */
+  async #useMachine(machine: MachineChoice | undefined): Promise<void> {
+    chooseMachine(machine);
+    const name = machine === undefined ? undefined : machineName(machine, this.#shell.language);
+    await this.#apply('machine', machine === undefined ? undefined : machineSetup(machine), name);
+    void this.#compareMachines();
+  }
+
+  async #apply(kind: ProfileKind, profile: string | undefined, name: string | undefined): Promise<void> {
+    const json = this.#shell.setup ?? '{}';
+    const setup = await this.#shell.ask('with-profile', { json, kind, profile: profile ?? '{}' });
     if (setup === undefined) return;
     this.#shell.changeSetup(setup === '' ? null : setup);
     this.#shell.service('notice')(WORDS[this.#shell.language].applied(name), 'program-setup');
-    void this.#compareMachines();
   }
 }
 

@@ -10,6 +10,7 @@ import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { LengthUnit, SetupAnswer, SetupForm, SetupGroup, SetupPlace } from '../protocol/protocol';
 import { SetupInput } from './setup-input';
+import type { TurretSide } from './setup-pictures';
 
 /** Entries typed within this time are sent in one question. */
 const ASK_AFTER_MS = 80;
@@ -25,6 +26,8 @@ interface SetupFormEvents {
   toolGroup(word: string): Promise<SetupGroup | undefined>;
   onApplied(answer: SetupAnswer, place: SetupPlace): void;
 }
+
+const TURRET_KEY = 'machine.turret';
 
 /** Groups that are seldom filled in are collapsed. */
 const COLLAPSED_GROUPS: ReadonlySet<SetupGroup['group']> = new Set([
@@ -65,6 +68,8 @@ export class SetupDialog {
   #language: Language;
   /** The unit of lengths in the form. */
   #unit: LengthUnit = 'mm';
+  /** The side of the turret in the picture. */
+  #turret: TurretSide = 'rear';
   #shown: SetupForm | undefined;
   /** Entries that were not applied, by the key of the field, with the field's value at that time (`instead`). */
   readonly #unapplied = new Map<string, { readonly instead: string; readonly text: string }>();
@@ -96,7 +101,7 @@ export class SetupDialog {
     this.#discard.addEventListener('click', () => {
       const form = this.#shown;
       this.clearUnapplied();
-      if (form !== undefined) this.show(form, this.#unit);
+      if (form !== undefined) this.show(form, this.#unit, this.#turret);
     });
     this.#addButton.addEventListener('click', () => void this.#addTool());
     this.#toolInput.addEventListener('keydown', (event) => {
@@ -128,10 +133,14 @@ export class SetupDialog {
     return this.#dialog.open;
   }
 
-  /** `unit`: of lengths in the form; `opened` and `key`: the group and the field to open. */
-  show(form: SetupForm, unit: LengthUnit, opened?: SetupGroup['group'], key?: string): void {
+  /**
+   * `unit`: of lengths in the form; `turret`: its side in the picture; `opened` and `key`: the group and the field to
+   * open.
+   */
+  show(form: SetupForm, unit: LengthUnit, turret: TurretSide, opened?: SetupGroup['group'], key?: string): void {
     this.#saveUnapplied();
     this.#unit = unit;
+    this.#turret = turret;
     const { groups, place } = form;
     this.#shown = form;
     this.#storedIn = place;
@@ -202,7 +211,8 @@ export class SetupDialog {
 
   #renderGroup({ group, title, source, fields }: SetupGroup, opened?: SetupGroup['group']): HTMLElement {
     const texts = WORDS[this.#language];
-    const inputs = fields.map((field) => new SetupInput(field, this.#language, this.#unit, () => this.#scheduleAsk()));
+    const events = { onChange: () => this.#scheduleAsk(), turret: () => this.#turretInForce };
+    const inputs = fields.map((field) => new SetupInput(field, this.#language, this.#unit, events));
     this.#inputs.push(...inputs);
     if (inputs[0] !== undefined) this.#firstInputs.set(group, inputs[0]);
     const clear = make(
@@ -236,6 +246,13 @@ export class SetupDialog {
     );
     const section = make('section', { className: 'group', 'aria-label': title }, legend, grid);
     return section;
+  }
+
+  /** The side that is entered, or, as long as it is not changed, that of the picture. */
+  get #turretInForce(): TurretSide {
+    const input = this.#inputs.find(({ key }) => key === TURRET_KEY);
+    if (input === undefined || input.text === input.value) return this.#turret;
+    return input.text === 'front' ? 'front' : 'rear';
   }
 
   #showPlace(): void {
@@ -286,7 +303,12 @@ export class SetupDialog {
     });
     if (answer === undefined || askId !== this.#askCount) return undefined;
     const states = new Map(answer.fields.map((state) => [state.key, state]));
-    for (const input of this.#inputs) input.state = states.get(input.key);
+    for (const input of this.#inputs) {
+      input.state = states.get(input.key);
+      // An insert of a threading tool has no shape of this kind.
+      const angle = states.get(input.key.replace(/\.insert$/, '.pointAngle'));
+      if (input.key.endsWith('.insert')) input.hasPictures = angle?.shown === 'shown';
+    }
     const wrong = answer.fields.filter(({ error }) => error !== undefined).length;
     const news = wrong === 0 ? '' : WORDS[this.#language].errors(wrong);
     if (this.#status.textContent !== news) this.#status.textContent = news;

@@ -1,4 +1,4 @@
-// One field of the setup form: its label, unit, assumed value and error message.
+// One field of the setup form: its label, unit, assumed value, error message, and pictures to choose its value from.
 //
 // In: the field and its state, with lengths in mm; the unit in which lengths are shown and typed. Out: `onChange`, the
 // entry in mm. Must not know: the purpose of the field.
@@ -8,11 +8,19 @@ import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { LengthUnit, SetupField, SetupState } from '../protocol/protocol';
 import { MM_PER_UNIT, unitSymbol } from './lengths';
+import { PicturePicker } from './picture-picker';
+import { picturesOf, type TurretSide } from './setup-pictures';
 
 /** The unit of a length, or of a feed: "mm", "mm/min". */
 const MILLIMETRES = /^(mm|мм)(?=$|\/)/;
 /** Decimals of an entry: 0.0001 mm, 0.00001 in. */
 const DECIMALS = { mm: 4, inch: 5 } as const;
+
+interface SetupInputEvents {
+  onChange(): void;
+  /** The side of the turret for which pictures are drawn. */
+  turret(): TurretSide;
+}
 
 export class SetupInput {
   readonly key: string;
@@ -24,11 +32,13 @@ export class SetupInput {
   /** The empty option of a choice. */
   readonly #emptyOption: HTMLOptionElement | undefined;
   readonly #error: HTMLElement;
+  readonly #picker: PicturePicker | undefined;
+  #assumed = '';
   /** The initial value, and as it is shown. */
   readonly value: string;
   readonly #shownValue: string;
 
-  constructor(field: SetupField, language: Language, shownUnit: LengthUnit, onChange: () => void) {
+  constructor(field: SetupField, language: Language, shownUnit: LengthUnit, events: SetupInputEvents) {
     const { key, label, unit, entry, choices, value } = field;
     this.key = key;
     this.#language = language;
@@ -50,16 +60,30 @@ export class SetupInput {
     this.#shownValue = this.#input.value;
     // A choice may not offer the value.
     this.value = entry === 'choice' ? this.#shownValue : value;
-    this.#input.addEventListener('input', onChange);
+    this.#input.addEventListener('input', () => events.onChange());
     this.#error = make('p', { className: 'error', id: `${id}-error`, hidden: true });
     const shownUnitText = this.#mmPerUnit === 1 ? unit : unit.replace(MILLIMETRES, unitSymbol(shownUnit, language));
     const unitText = make('span', { className: 'unit', id: `${id}-unit` }, shownUnitText);
     this.#input.setAttribute('aria-describedby', `${id}-unit ${id}-error`);
+    const pictures = picturesOf(key);
+    if (pictures !== undefined)
+      this.#picker = new PicturePicker({
+        label,
+        language,
+        pictures,
+        turret: () => events.turret(),
+        entry: () => this.text,
+        assumed: () => this.#assumed,
+        onChoose: (text) => {
+          this.text = text;
+          events.onChange();
+        },
+      });
     this.element = make(
       'div',
       { className: 'setup-field' },
       make('label', { htmlFor: id }, label),
-      make('div', { className: 'entry' }, this.#input, unitText),
+      make('div', { className: 'entry' }, this.#input, this.#picker?.element ?? '', unitText),
       this.#error,
     );
   }
@@ -77,6 +101,8 @@ export class SetupInput {
   set state(state: SetupState | undefined) {
     if (state === undefined) return;
     const { assumed, error, shown } = state;
+    this.#assumed = assumed;
+    this.#picker?.update();
     const placeholder =
       assumed === '' ? '' : WORDS[this.#language].placeholder(scaled(assumed, 1 / this.#mmPerUnit, DECIMALS.inch));
     if (this.#emptyOption !== undefined)
@@ -88,6 +114,10 @@ export class SetupInput {
     this.#error.textContent = error ?? '';
     this.#input.setAttribute('aria-invalid', String(error !== undefined));
     if (error !== undefined) this.expand();
+  }
+
+  set hasPictures(hasPictures: boolean) {
+    if (this.#picker !== undefined) this.#picker.element.hidden = !hasPictures;
   }
 
   /** Opens the collapsed group that contains the field, if any. */

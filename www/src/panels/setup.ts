@@ -22,6 +22,7 @@ import { loadPart } from './load-part';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import setupStyles from './setup.css?inline';
 import type { SetupDialog, SetupEntries } from './setup-form';
+import type { TurretSide } from './setup-pictures';
 
 export const setup: PanelKind = {
   control: 'setup',
@@ -50,6 +51,7 @@ class Setup implements Panel {
   #form: SetupDialog | undefined;
   #overview: SetupOverview | undefined;
   #unit: LengthUnit = 'mm';
+  #turret: TurretSide = 'rear';
   readonly elements: Panel['elements'];
   readonly services: Partial<Services> = {
     openSetup: (group, key) => void this.#open(group, key),
@@ -92,6 +94,8 @@ class Setup implements Panel {
   }
 
   onEvent(event: CoreEvent): void {
+    const views = event.kind === 'views' ? event.views : event.kind === 'report' ? event.report.views : undefined;
+    if (views !== undefined) this.#turret = views.turret;
     if (event.kind !== 'report') return;
     this.#overview = this.#inferredStock.overview = event.report.overview;
     this.#unit = event.report.units.shown;
@@ -123,7 +127,7 @@ class Setup implements Panel {
       });
       this.#shell.region('dialogs').append(this.#form.element);
     }
-    this.#form.show(form, this.#unit, group, key);
+    this.#form.show(form, this.#unit, this.#turret, group, key);
   }
 
   /** Fills in one field as the user would; all other fields keep their values. */

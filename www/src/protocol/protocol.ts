@@ -455,6 +455,16 @@ export type PictureChoice = PictureName | 'all';
 /** The painted images; unchanged pictures are missing. */
 export type Pictures = { readonly [K in PictureName]?: ImageBitmap };
 
+/** The scale of the section: positions in CSS pixels from the top left corner of the picture. */
+export interface SectionScale {
+  /** The position of X0 Z0. */
+  readonly origin: readonly [number, number];
+  /** CSS pixels to the right for each mm of Z. */
+  readonly perZ: number;
+  /** CSS pixels downwards for each mm of X, a diameter. */
+  readonly perX: number;
+}
+
 /** The events of a run. */
 export type RunEvent =
   /** The run has ended and its path is drawn; messages and part follow once the parts that compute them are loaded. */
@@ -473,7 +483,7 @@ export type RunEvent =
   | { readonly kind: 'progress'; readonly work: Work; readonly done: number }
   | { readonly kind: 'views'; readonly views: ViewsState }
   | { readonly kind: 'switches'; readonly inText: SwitchesInText }
-  | { readonly kind: 'pictures'; readonly pictures: Pictures }
+  | { readonly kind: 'pictures'; readonly pictures: Pictures; readonly scale: SectionScale }
   /**
    * The run has ended, all material is removed and its last picture is shown; `received` is the number of messages of
    * the page that were received by then.

@@ -4,7 +4,7 @@
 // collected. A worker that has failed is replaced. Must not know: panels, attributes, or the content of a setup.
 
 import type { Program } from '../editor/program';
-import type { Answer, ChangeSource, Pictures, QuestionKind, Questions } from '../protocol/protocol';
+import type { Answer, ChangeSource, Pictures, QuestionKind, Questions, SectionScale } from '../protocol/protocol';
 import { CoreClient, LatestQuestion, type CoreListener, type CoreEvent, type Loss } from '../worker/core-client';
 import type { NewestQuestion } from '../panels/panel';
 
@@ -17,7 +17,7 @@ interface RunsEvents {
   /** The setup as JSON; undefined if it is invalid. */
   setup(): string | undefined;
   onEvent(event: CoreEvent): void;
-  onPictures(pictures: Pictures): void;
+  onPictures(pictures: Pictures, scale: SectionScale): void;
   /** Text or setup have changed; the last run is outdated. */
   onInputChanged(): void;
   /** A run of a changed text starts at the end of this turn. */
@@ -78,7 +78,7 @@ export class Runs {
     const listener: CoreListener = {
       onReady: () => events.onReady(),
       onEvent: (event) => events.onEvent(event),
-      onPictures: (pictures) => events.onPictures(pictures),
+      onPictures: (pictures, scale) => events.onPictures(pictures, scale),
       onUnsettled: () => events.onUnsettled(),
       onSettled: (run) => events.onSettled(run),
       onLost: (loss) => this.#onWorkerLost(loss),

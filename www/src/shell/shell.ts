@@ -217,8 +217,8 @@ export class PlaygroundShell implements Shell {
           setTimeout(() => this.#loadEditorIfShown(), EDITOR_AFTER_MS);
         else if (event.kind === 'progress' || event.kind === 'part-failed') this.#loadEditorIfShown();
       },
-      onPictures: (pictures) => {
-        this.#notifyPanels((panel) => panel.onPictures?.(pictures));
+      onPictures: (pictures, scale) => {
+        this.#notifyPanels((panel) => panel.onPictures?.(pictures, scale));
         this.#layout.fallback.hidden = true;
         this.#loadEditorIfShown();
       },

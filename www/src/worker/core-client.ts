@@ -11,6 +11,7 @@ import {
   type Answer,
   type Command,
   type Pictures,
+  type SectionScale,
   type Question,
   type QuestionKind,
   type Questions,
@@ -30,7 +31,7 @@ export interface CoreListener {
   /** An event of the newest run. */
   onEvent(event: CoreEvent): void;
   /** Shows pictures of the newest run that the worker knows. The listener owns the images. */
-  onPictures(pictures: Pictures): void;
+  onPictures(pictures: Pictures, scale: SectionScale): void;
   /** Something that may change the display is in progress. */
   onUnsettled(): void;
   /** The worker has processed all messages, and everything of the newest run is shown. */
@@ -140,7 +141,7 @@ export class CoreClient {
         // While a change was not sent yet, a picture of the last sent run is still shown.
         const dropped = event.run !== this.#sentRun;
         if (dropped) closeImages(event.pictures);
-        else this.#listener.onPictures(event.pictures);
+        else this.#listener.onPictures(event.pictures, event.scale);
         this.send({ kind: 'shown', dropped });
         return;
       }

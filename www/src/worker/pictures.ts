@@ -4,7 +4,7 @@
 // draw.
 
 import { Drawn, type PictureName, type Playground } from '../../pkg/gcode_playground.js';
-import { PICTURES, type CanvasCommand, type Pictures, type ViewsState } from '../protocol/protocol';
+import { PICTURES, type CanvasCommand, type Pictures, type SectionScale, type ViewsState } from '../protocol/protocol';
 
 type CanvasHandler<K extends CanvasCommand['kind']> = (
   core: Playground,
@@ -46,6 +46,15 @@ export function takePictures(core: Playground): Pictures | undefined {
     if (image !== undefined) images[picture] = image;
   }
   return Object.keys(images).length === 0 ? undefined : images;
+}
+
+/** A length from which the scale of the section is computed, mm. */
+const SCALE_LENGTH = 100;
+
+export function sectionScale(core: Playground): SectionScale {
+  const [x0 = 0, y0 = 0] = core.screenOf('section', 0, 0);
+  const [x1 = 0, y1 = 0] = core.screenOf('section', SCALE_LENGTH, SCALE_LENGTH);
+  return { origin: [x0, y0], perZ: (x1 - x0) / SCALE_LENGTH, perX: (y1 - y0) / SCALE_LENGTH };
 }
 
 export function viewsState(core: Playground): ViewsState {

@@ -28,7 +28,7 @@ import {
 } from '../protocol/protocol';
 import type { LateParts, PartName, Waiter } from './parts';
 import { copyText } from './copy-text';
-import { changePicture, drawAll, fitAll, takePictures, viewsState } from './pictures';
+import { changePicture, drawAll, fitAll, sectionScale, takePictures, viewsState } from './pictures';
 
 /** The only setup that does not need the part `early`. */
 const EMPTY_SETUP = '{}';
@@ -697,7 +697,7 @@ export class Session implements Waiter {
     const pictures = takePictures(this.#core);
     if (pictures === undefined) return;
     this.#pictureInFlight = true;
-    this.#emit({ kind: 'pictures', pictures }, Object.values(pictures));
+    this.#emit({ kind: 'pictures', pictures, scale: sectionScale(this.#core) }, Object.values(pictures));
     this.#parts.release();
   }
 
