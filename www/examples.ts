@@ -19,6 +19,7 @@ interface ExampleDescription {
   readonly shows: Translated;
   readonly added?: string;
   readonly compareWith?: string;
+  readonly labels?: boolean;
 }
 
 interface Subject {
@@ -62,12 +63,13 @@ function buildFiles(): Map<string, string> {
 }
 
 /** The fields of `about.json` that the page shows. */
-function shownFields({ title, shows, added, compareWith }: ExampleDescription): object {
+function shownFields({ title, shows, added, compareWith, labels }: ExampleDescription): object {
   return {
     title,
     shows,
     ...(added === undefined ? {} : { added }),
     ...(compareWith === undefined ? {} : { compareWith }),
+    ...(labels === undefined ? {} : { labels }),
   };
 }
 

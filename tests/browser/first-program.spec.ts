@@ -105,7 +105,7 @@ test('typed text is restored after a reload, and can be discarded', async ({ pag
   await page.reload();
   await expect(status(page)).toContainText(/^2 motions/);
   await page.getByRole('button', { name: 'Open the first example' }).click();
-  await expect(status(page)).toContainText(/^42 motions/);
+  await expect(status(page)).toContainText(/^7 motions/);
 });
 
 test('a changed example is restored after a reload, and can be reset', async ({ page }) => {

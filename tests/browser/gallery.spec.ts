@@ -56,7 +56,7 @@ test('a URL selects an example, and changing the URL opens another one', async (
 
 test('a URL with an unknown example opens the first example', async ({ page }) => {
   await open(page, '#no-such-example');
-  await expect(status(page)).toContainText(`${motionCount('s000-o0002')} motions`);
+  await expect(status(page)).toContainText(`${motionCount('s001-o0001')} motions`);
 });
 
 test('the wrong part is compared with the right one, and the next example is shown without comparison', async ({

@@ -42,10 +42,25 @@ export const tab = (page: BasicPage, which: keyof typeof TABS): Locator => page.
 export const problems = (page: BasicPage): Locator => page.getByRole('region', { name: /^(Problems|问题|Замечания)$/ });
 
 /**
- * Opens the page and waits until the first program has run and its part and messages are shown. Any error on the page
- * fails the test, and so does any violation of its policy.
+ * Opens the page and waits until its program has run and its part and messages are shown. Without a hash, the program is
+ * the stored one, or the example `s000-o0002`: many tests rely on its content. `openFirstVisit` opens the first example.
+ * Any error on the page fails the test, and so does any violation of its policy.
  */
 export async function open(page: BasicPage, hash = ''): Promise<void> {
+  await page.addInitScript(() => {
+    const { pathname, hash } = location;
+    if (window !== top || hash !== '' || !/\/(index\.html)?$/.test(pathname) || /\/(docs|rules)\//.test(pathname))
+      return;
+    const last = localStorage.getItem(`gcode-playground:last:${pathname}`) ?? '""';
+    // The program of a page from before there was a list.
+    const earlier = localStorage.getItem(`gcode-playground:program:${pathname}`);
+    if (last === '""' && earlier === null) history.replaceState(null, '', '#s000-o0002');
+  });
+  await openFirstVisit(page, hash);
+}
+
+/** Like `open`, but without a hash the page opens its first example. */
+export async function openFirstVisit(page: BasicPage, hash = ''): Promise<void> {
   page.on('pageerror', (error) => {
     throw error;
   });

@@ -2,7 +2,17 @@
 // content and reports what is loading; a part that fails to load is reported, and can be retried.
 import { expect, type Route } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
-import { choose, chooseLanguage, examples, motionCount, open, openFile, openProblems, type } from './page';
+import {
+  choose,
+  chooseLanguage,
+  examples,
+  motionCount,
+  open,
+  openFile,
+  openFirstVisit,
+  openProblems,
+  type,
+} from './page';
 
 const LATE_MS = 3_000;
 const PROGRAM = 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nM30\n';
@@ -353,7 +363,7 @@ test('the list of examples is loaded when the gallery is opened, and a program w
   await page.addInitScript(() => {
     addEventListener('gcode-report', () => void Reflect.get(window, 'pictureShown')(), { once: true });
   });
-  await open(page);
+  await openFirstVisit(page);
   await page.waitForTimeout(500);
   expect(asked).toEqual([]);
   await choose(page, 'program', 'Gallery…');

@@ -590,7 +590,7 @@ test('a URL with an unknown example is reported, and the previous program or the
 }) => {
   await open(page, '#zz-nonexistent');
   await expect.poll(() => page.locator('#link-bar p').textContent()).toMatch(/^This address names no example/);
-  expect(await value(page)).toContain('O0002');
+  expect(await value(page)).toContain('O0001');
   await type(page, OWN);
   await expect.poll(() => value(page)).toBe(OWN);
   await page.waitForTimeout(1000);

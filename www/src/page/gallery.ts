@@ -4,9 +4,9 @@
 // by subject, with small pictures. Must not know: the content of a program or setup; both are passed on unchanged.
 
 import type { Language } from '../dom/language';
-import about from '../../../tests/programs/s000-o0002/about.json';
-import program from '../../../tests/programs/s000-o0002/program.nc?raw';
-import setup from '../../../tests/programs/s000-o0002/setup.json?raw';
+import about from '../../../tests/programs/s001-o0001/about.json';
+import program from '../../../tests/programs/s001-o0001/program.nc?raw';
+import setup from '../../../tests/programs/s001-o0001/setup.json?raw';
 
 type Translated = Readonly<Record<Language, string>>;
 
@@ -22,6 +22,8 @@ export interface Example {
   readonly added?: string;
   /** The example whose part is drawn under the part of this one. */
   readonly compareWith?: string;
+  /** For a first lesson: the picture names chuck, tool and start point, and shows the whole path. */
+  readonly labels?: boolean;
 }
 
 /** An entry of the gallery, in one language. */
@@ -40,8 +42,10 @@ export interface Subject {
   readonly examples: readonly ListedExample[];
 }
 
-/** The program of a page whose address names no other. */
-export const FIRST_EXAMPLE: Example = { id: 's000-o0002', program, setup, title: about.title, shows: about.shows };
+const { title, shows, labels } = about;
+
+/** The program of a page whose address names no other: the simplest one. */
+export const FIRST_EXAMPLE: Example = { id: 's001-o0001', program, setup, title, shows, labels };
 
 const examples = new Map<string, Promise<Example>>([[FIRST_EXAMPLE.id, Promise.resolve(FIRST_EXAMPLE)]]);
 const lists = new Map<Language, Promise<readonly Subject[]>>();

@@ -46,6 +46,8 @@ const HINTS = 'play pick';
 const SAVE_AFTER_MS = 400;
 /** How long the user must pause before a long program is saved: saving after each key would block the page. */
 const SAVE_LONG_AFTER_MS = 1500;
+/** In a narrower window the drawing of a first lesson is fitted to the part: with the whole path the cut would be tiny. */
+const MIN_WIDTH_FOR_WHOLE_PATH_PX = 740;
 /** The delay in browsers without `requestIdleCallback`. */
 const IDLE_AFTER_MS = 1000;
 
@@ -338,6 +340,13 @@ function setProgram(
   savedText = playground.value;
 }
 
+/** For a first lesson: names what the picture shows, and shows the tool at the start point. */
+function showLabels(of: Example | undefined): void {
+  const hasLabels = of?.labels === true;
+  playground.toggleAttribute('labels', hasLabels);
+  playground.fit = hasLabels && innerWidth >= MIN_WIDTH_FOR_WHOLE_PATH_PX ? 'path' : null;
+}
+
 function endComparisonUnlessFor(chosen: Example | undefined): void {
   if (!isComparing || chosen?.compareWith !== undefined) return;
   isComparing = false;
@@ -350,6 +359,7 @@ function load(chosen: Example | undefined): void {
   link.end();
   saver.setId(undefined);
   example = chosen;
+  showLabels(chosen);
   if (chosen !== undefined) {
     const { id, setup, program: text } = chosen;
     shownExamples.set(id, chosen);
@@ -398,6 +408,7 @@ function onOriginChanged(): void {
   if (now === example) return;
   saver.onTextReplaced(playground.length > MAX_SAVED_LENGTH ? undefined : playground.opened.text);
   example = now;
+  showLabels(now);
   endComparisonUnlessFor(now);
   // The address names the example while one is shown.
   history.replaceState(null, '', now === undefined ? location.pathname + location.search : `#${now.id}`);
@@ -417,6 +428,7 @@ function restore(
   saver.setId(saved.id);
   if (saved.id !== undefined) saver.remember(saved.id, saved.text);
   example = startExample;
+  showLabels(startExample);
   if (startExample !== undefined) shownExamples.set(startExample.id, startExample);
   const { text, file, setup, blockSkip = null, program = null } = saved;
   // A file that was saved before setups were saved is not an example.

@@ -9,6 +9,7 @@ import { header } from './header';
 import { help } from './help';
 import { hints } from './hints';
 import { keys } from './keys';
+import { labels } from './labels';
 import type { PanelKind } from './panel';
 import { motions } from './motions';
 import { navigation } from './navigation';
@@ -38,6 +39,7 @@ export const FURTHER: readonly PanelKind[] = [
   tabs,
   divider,
   hints,
+  labels,
   fileBar,
   profiles,
   readAs,

@@ -167,7 +167,13 @@ class Pictures implements Panel {
     this.#shell.send({ kind: 'palette', palette });
   }
 
+  /** A run of another program fits the pictures. */
+  onProgramReplaced(): void {
+    for (const picture of PICTURES) this.#setMoved(picture, false);
+  }
+
   onWorkerConnected(send: (command: Command) => void): void {
+    this.onProgramReplaced();
     for (const picture of PICTURES) {
       send({ kind: 'picture', picture, command: { kind: 'canvas', size: this.#drawings[picture].size } });
     }
@@ -208,9 +214,18 @@ class Pictures implements Panel {
     return {
       onResize: (size) => sendView({ kind: 'resize', size }),
       requestPicture: () => sendView({ kind: 'repaint' }),
-      fit: () => sendView({ kind: 'fit' }),
-      pan: (dx, dy) => sendView({ kind: 'pan', dx, dy }),
-      zoom: (factor, x, y) => sendView({ kind: 'zoom', factor, x, y }),
+      fit: () => {
+        this.#setMoved(picture, false);
+        sendView({ kind: 'fit' });
+      },
+      pan: (dx, dy) => {
+        this.#setMoved(picture, true);
+        sendView({ kind: 'pan', dx, dy });
+      },
+      zoom: (factor, x, y) => {
+        this.#setMoved(picture, true);
+        sendView({ kind: 'zoom', factor, x, y });
+      },
       onPoint: (x, y) => stroke.ask({ picture, x, y }),
       onLeave: () => {
         stroke.cancel();
@@ -221,6 +236,11 @@ class Pictures implements Panel {
         if (chosen !== undefined) shell.chooseStroke(chosen, keepFocus ? 'keep-focus' : 'focus');
       },
     };
+  }
+
+  /** Whether the user has moved or zoomed a picture since it was fitted. */
+  #setMoved(picture: PictureName, isMoved: boolean): void {
+    this.#drawings[picture].element.classList.toggle('is-moved', isMoved);
   }
 
   #showHovered(picture: PictureName, stroke: Stroke | undefined): void {

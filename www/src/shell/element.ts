@@ -32,6 +32,7 @@
 //   loading   lazy | eager | click     start near the viewport, immediately, or on click
 //   split     40                       width of the program beside the drawing, percent; follows the divider
 //   hints     "play pick"              the introductory hints that are still to be shown; missing: none
+//   labels                             names chuck, tool and start point on the picture, where there is room
 // The element updates `hints`, `block-skip` and `program` when the user dismisses a hint or uses a switch. A change of
 // `view`, `controls` or `readonly` renders the element again with the same program; the undo history is lost.
 //
