@@ -269,7 +269,7 @@ fn flats_follow_the_size_of_the_part() {
 /// A file has the colours of the page, except for its white background.
 #[test]
 fn the_colours_of_files_are_those_of_the_page() {
-    let sheet = std::fs::read_to_string("www/src/colours.css").expect("the style sheet");
+    let sheet = std::fs::read_to_string("www/src/tokens.css").expect("the style sheet");
     let (mut light, mut dark) = (Palette::light(), Palette::dark());
     for ((name, on_paper), (_, on_dark)) in light.by_name().zip(dark.by_name()) {
         let dashed: String = name.chars().fold(String::new(), |dashed, c| match c.is_uppercase() {

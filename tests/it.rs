@@ -67,6 +67,7 @@ mod rule_pages;
 mod seed_statements;
 mod setup;
 mod spelling;
+mod style_sheets;
 mod teams;
 mod timing;
 mod uncertain;

@@ -17,6 +17,7 @@ const specFiles = (...names: string[]): string[] => names.map((name) => `**/${na
 const CHROMIUM_ONLY = specFiles(
   'accessible',
   'devices',
+  'dialogs',
   'docs',
   'killed-while-typing',
   'links',
@@ -26,6 +27,7 @@ const CHROMIUM_ONLY = specFiles(
   'own-programs-rules',
   'package',
   'parts',
+  'parts-page',
   'phone',
   'playing-smoothly',
   'report',

@@ -27,21 +27,21 @@ export const policy: Plugin = {
   apply: 'build',
   transformIndexHtml: {
     order: 'post',
-    handler(html) {
-      if (!html.includes(CHARSET)) throw new Error(`index.html does not contain ${CHARSET}`);
-      // The HTML parser turns CRLF into LF before a script is hashed.
-      const text = html.replaceAll('\r\n', '\n');
-      const hashes = [...text.matchAll(/<script>(.*?)<\/script>/gs)].map(
-        ([, script = '']) => `'sha256-${createHash('sha256').update(script).digest('base64')}'`,
-      );
-      const all = { ...SOURCES, 'script-src': [...(SOURCES['script-src'] ?? []), ...hashes] };
-      const content = Object.entries(all)
-        .map(([directive, sources]) => `${directive} ${sources.join(' ')}`)
-        .join('; ');
-      return text.replace(
-        CHARSET,
-        `${CHARSET}\n    <meta http-equiv="Content-Security-Policy" content="${content}" />`,
-      );
-    },
+    handler: withPolicy,
   },
 };
+
+/** The page with its policy. */
+export function withPolicy(html: string): string {
+  if (!html.includes(CHARSET)) throw new Error(`index.html does not contain ${CHARSET}`);
+  // The HTML parser turns CRLF into LF before a script is hashed.
+  const text = html.replaceAll('\r\n', '\n');
+  const hashes = [...text.matchAll(/<script>(.*?)<\/script>/gs)].map(
+    ([, script = '']) => `'sha256-${createHash('sha256').update(script).digest('base64')}'`,
+  );
+  const all = { ...SOURCES, 'script-src': [...(SOURCES['script-src'] ?? []), ...hashes] };
+  const content = Object.entries(all)
+    .map(([directive, sources]) => `${directive} ${sources.join(' ')}`)
+    .join('; ');
+  return text.replace(CHARSET, `${CHARSET}\n    <meta http-equiv="Content-Security-Policy" content="${content}" />`);
+}

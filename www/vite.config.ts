@@ -5,7 +5,7 @@ import { defineConfig, type HtmlTagDescriptor, type Plugin } from 'vite';
 import { compiledEarly } from './compiled-early';
 import { examples } from './examples';
 import { installable } from './installable';
-import { policy } from './policy';
+import { policy, withPolicy } from './policy';
 
 /**
  * The page preloads everything that the first picture needs in parallel, instead of one script after another: the
@@ -36,6 +36,16 @@ const preloads: Plugin = {
         ...[...scripts].map((file) => link({ rel: 'modulepreload', crossorigin: true, href: `./${file}` })),
       ];
     },
+  },
+};
+
+/** The page "Parts" is a separate entry without a preload, so it does not change the scripts of the main page. */
+const partsPage: Plugin = {
+  name: 'parts-page',
+  apply: 'build',
+  generateBundle() {
+    const source = readFileSync('parts.html', 'utf8').replace('./src/page/parts.ts', './parts.js');
+    this.emitFile({ type: 'asset', fileName: 'parts.html', source: withPolicy(source) });
   },
 };
 
@@ -94,7 +104,7 @@ function isPreloaded(file: string, host: string): boolean {
 export default defineConfig({
   base: './',
   define: { PLAYGROUND_VERSION: JSON.stringify(version) },
-  plugins: [preloads, examples, installable, compiledEarly, policy, foreignPage, developmentServer],
+  plugins: [preloads, examples, installable, compiledEarly, policy, partsPage, foreignPage, developmentServer],
   build: {
     target: 'es2022',
     outDir: 'dist',
@@ -106,9 +116,12 @@ export default defineConfig({
         hostType === 'html' ? needed : needed.filter((each) => each !== file && isPreloaded(each, hostId)),
     },
     rollupOptions: {
-      input: { index: 'index.html', element: 'src/shell/element.ts' },
+      input: { index: 'index.html', parts: 'src/page/parts.ts', element: 'src/shell/element.ts' },
       // Other sites use the element, so its name is stable.
-      output: { entryFileNames: ({ name }) => (name === 'element' ? '[name].js' : 'assets/[name]-[hash].js') },
+      output: {
+        entryFileNames: ({ name }) =>
+          name === 'element' || name === 'parts' ? '[name].js' : 'assets/[name]-[hash].js',
+      },
       preserveEntrySignatures: 'allow-extension',
     },
   },

@@ -1,7 +1,7 @@
 //! The colours of the picture.
 //!
 //! In: nothing, or the colours of the surrounding page. Out: [`Palette`], read by every exporter. The
-//! defaults are the colours of the page (`www/src/colours.css`), on white paper.
+//! defaults are the colours of the page (`www/src/tokens.css`), on white paper.
 
 use std::borrow::Cow;
 

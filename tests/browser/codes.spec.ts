@@ -51,10 +51,11 @@ test('the table is opened, filtered, read and closed by keyboard', async ({ page
   await filter.fill('');
   await expect(row(page, 'G01')).toBeVisible();
 
-  // Tab reaches the table, which the arrow keys then scroll, and the close button.
+  // Tab reaches the table, which the arrow keys then scroll; Shift Tab reaches the close button.
   await page.keyboard.press('Tab');
   await expect(dialog(page).getByRole('region', { name: 'Supported codes' })).toBeFocused();
-  await page.keyboard.press('Tab');
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('Shift+Tab');
   await expect(dialog(page).getByRole('button', { name: 'Close' })).toBeFocused();
   await page.keyboard.press('Escape');
   await expect(dialog(page)).toBeHidden();

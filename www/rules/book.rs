@@ -16,7 +16,7 @@ use crate::format::RuleFile;
 use crate::format::page::{Mark, Page, Text};
 
 /// The colours come first, so that the pages and the playground share them.
-const STYLES: [&str; 2] = [include_str!("../../www/src/colours.css"), include_str!("rules.css")];
+const STYLES: [&str; 2] = [include_str!("../../www/src/tokens.css"), include_str!("rules.css")];
 
 /// The pages run no scripts; styles and pictures come from their own host.
 const POLICY: &str = include_str!("policy.html");

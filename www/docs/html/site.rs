@@ -16,7 +16,7 @@ use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 
 /// The colours come first, so that the pages and the playground share them.
 const STYLES: [&str; 3] =
-    [include_str!("../../src/colours.css"), include_str!("../../rules/rules.css"), include_str!("docs.css")];
+    [include_str!("../../src/tokens.css"), include_str!("../../rules/rules.css"), include_str!("docs.css")];
 
 /// Content-Security-Policy of the rule pages: no scripts.
 const POLICY: &str = include_str!("../../rules/policy.html");
@@ -64,9 +64,12 @@ fn file_name(document: &str) -> String {
     if document == "README" { "index.html".to_owned() } else { format!("{document}.html") }
 }
 
-/// Whether a link leads to the web, or to an existing document and anchor.
+/// Pages beside the reference that it links to.
+const BESIDE: [&str; 1] = ["../parts.html"];
+
+/// Whether a link leads to the web, to a page beside the reference, or to an existing document and anchor.
 fn leads_somewhere(from: &str, link: &str, anchors: &BTreeMap<&str, &BTreeSet<String>>) -> bool {
-    if link.starts_with("https://") {
+    if link.starts_with("https://") || BESIDE.contains(&link) {
         return true;
     }
     let (file, anchor) = link.split_once('#').map_or((link, None), |(file, anchor)| (file, Some(anchor)));
@@ -249,7 +252,7 @@ mod tests {
     fn a_link_that_leads_nowhere_is_found() {
         let own = BTreeSet::from(["fields".to_owned()]);
         let anchors = BTreeMap::from([("setup", &own)]);
-        for link in ["setup.md", "setup.md#fields", "#fields", "https://example.org"] {
+        for link in ["setup.md", "setup.md#fields", "#fields", "https://example.org", "../parts.html"] {
             assert!(leads_somewhere("setup", link, &anchors), "{link}");
         }
         for link in

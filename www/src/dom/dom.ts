@@ -81,6 +81,10 @@ const ICONS = {
 
 export type IconName = keyof typeof ICONS;
 
+export function iconNames(): readonly IconName[] {
+  return Object.keys(ICONS) as IconName[];
+}
+
 export function icon(name: IconName): HTMLElement {
   const svg = makeSvg('svg', { viewBox: '0 0 20 20', width: 20, height: 20 });
   for (const { d, width, filled, overlaid } of ICONS[name] as readonly IconShape[]) {

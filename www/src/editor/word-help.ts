@@ -39,7 +39,7 @@ export function wordCard(help: WordHelp, go: (offset: number) => void): HTMLElem
 }
 
 function linkButton(text: string, offset: number, go: (offset: number) => void): HTMLElement {
-  const button = make('button', { type: 'button', className: 'to-block' }, text);
+  const button = make('button', { type: 'button', className: 'link' }, text);
   button.addEventListener('click', () => go(offset));
   return button;
 }

@@ -4,6 +4,7 @@
 // Callers that already have the other program use `compareWith`. Out: a dialog, in which the other version is the first
 // program and the one on the page the second. Must not know: how programs are compared.
 
+import '../dom/dialog.css';
 import './compare.css';
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
@@ -36,19 +37,15 @@ class CompareDialog {
   readonly #text = make('textarea', { rows: 6, spellcheck: false, autocomplete: 'off' });
   readonly #file = make('input', { type: 'file', hidden: true });
   readonly #open = make('button', { type: 'button', className: 'framed' });
-  readonly #compare = make('button', { type: 'button', className: 'framed' });
+  readonly #compare = make('button', { type: 'button', className: 'primary' });
   readonly #own = make('select', { hidden: true });
   readonly #status = make('p', { role: 'status', className: 'compared' });
   readonly #result = make('div', { className: 'result', tabIndex: 0, role: 'region' });
-  readonly #body = make(
-    'div',
-    { className: 'body' },
-    make('label', { className: 'other' }, this.#caption, this.#text),
-    make('p', { className: 'choose' }, this.#compare, this.#open, this.#own, this.#file),
-    this.#status,
-    this.#result,
+  readonly #dialog = new Dialog(
+    'compare',
+    [make('label', { className: 'other' }, this.#caption, this.#text), this.#file, this.#status, this.#result],
+    [this.#own, this.#open, this.#compare],
   );
-  readonly #dialog = new Dialog('compare', [this.#body]);
   #host: PageHost | undefined;
   /** Number of requests (reading a file, comparing); a late answer to an earlier one is dropped. */
   #requestCount = 0;

@@ -10,6 +10,7 @@ import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
 import type { ListedExample, Subject } from './gallery';
 import { smallDrawing } from './small-drawing';
+import '../dom/dialog.css';
 import './gallery.css';
 
 export class GalleryDialog {

@@ -38,7 +38,7 @@ export class LinkBar {
   /** Kept only while the page is open. */
   readonly #name = make('input', { type: 'text', id: 'hand-in-name', autocomplete: 'name', maxLength: NAME_LIMIT });
   readonly #nameCaption = make('span');
-  readonly #copy = make('button', { type: 'button', id: 'hand-in' });
+  readonly #copy = make('button', { type: 'button', className: 'primary', id: 'hand-in' });
   readonly #message = make('span', { className: 'hand-in-news', role: 'status' });
   readonly #link = make('textarea', {
     id: 'hand-in-link',
@@ -227,7 +227,7 @@ export class LinkBar {
   }
 
   #createButton(text: string, onClick: () => void): HTMLElement {
-    const button = make('button', { type: 'button' }, text);
+    const button = make('button', { type: 'button', className: 'framed' }, text);
     button.addEventListener('click', onClick);
     return button;
   }

@@ -9,6 +9,7 @@ import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import { field } from './fields';
 import type { PageHost } from './page-host';
+import '../dom/dialog.css';
 import './share.css';
 
 const MM_PER_INCH = 25.4;
@@ -32,25 +33,24 @@ class NewDialog {
     diameter: field(this.#diameter),
     length: field(this.#length),
   };
-  readonly #create = make('button', { type: 'submit', className: 'framed primary' });
+  readonly #create = make('button', { type: 'submit', className: 'primary' });
   readonly #form = make(
     'form',
     { id: 'new-fields', method: 'dialog' },
     ...Object.values(this.#fields).map(({ label }) => label),
-    this.#create,
   );
-  readonly #dialog = new Dialog('new-program', [this.#form]);
+  readonly #dialog = new Dialog('new-program', [this.#form], [this.#create]);
   #host: PageHost | undefined;
 
   constructor() {
     this.#control.append(...CONTROLS.map(([value, text]) => make('option', { value }, text)));
     this.#unit.append(make('option', { value: 'mm' }), make('option', { value: 'inch' }));
+    this.#create.setAttribute('form', this.#form.id);
     this.#unit.addEventListener('change', () => this.#showBlank());
     this.#form.addEventListener('submit', (event) => {
       event.preventDefault();
       void this.#replaceProgram();
     });
-    this.#dialog.element.classList.add('share');
     document.body.append(this.#dialog.element);
   }
 

@@ -39,8 +39,8 @@ export class Offline {
   /** Screen readers announce the result, since it arrives later than the page. */
   readonly #announcement = make('p', { className: 'unseen', 'aria-live': 'polite' });
   readonly #text = make('p', { role: 'status' });
-  readonly #reloadButton = make('button', { type: 'button' });
-  readonly #laterButton = make('button', { type: 'button' });
+  readonly #reloadButton = make('button', { type: 'button', className: 'primary' });
+  readonly #laterButton = make('button', { type: 'button', className: 'framed' });
   readonly #news = make('div', { id: 'news', hidden: true }, this.#text, this.#reloadButton, this.#laterButton);
   readonly #manifest = make('link', { rel: 'manifest' });
   #registration: ServiceWorkerRegistration | undefined;

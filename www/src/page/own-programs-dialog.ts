@@ -26,6 +26,7 @@ import * as store from './own-programs-store';
 import { LIST_WORDS } from './own-programs-words';
 import { smallDrawing } from './small-drawing';
 import { removeFromJournal } from './storage';
+import '../dom/dialog.css';
 import './own-programs.css';
 
 /** How long the database may take before the dialog reports that it does not answer. */
@@ -45,9 +46,9 @@ class OwnProgramsDialog {
   readonly #field = make('label', { className: 'search' }, this.#caption, this.#search);
   readonly #found = make('p', { className: 'found', role: 'status' });
   readonly #listElement = make('div', { className: 'shelf' });
-  readonly #back = make('button', { type: 'button' });
-  readonly #export = make('button', { type: 'button' });
-  readonly #import = make('button', { type: 'button' });
+  readonly #back = make('button', { type: 'button', className: 'framed' });
+  readonly #export = make('button', { type: 'button', className: 'framed' });
+  readonly #import = make('button', { type: 'button', className: 'framed' });
   readonly #file = make('input', { type: 'file', hidden: true, accept: '.json,application/json' });
   readonly #dialog = new Dialog(
     'own-programs',
@@ -174,7 +175,7 @@ class OwnProgramsDialog {
     this.#found.dataset['kind'] = 'outcome';
     this.#found.textContent = outcome;
     if (undo === undefined) return;
-    const button = make('button', { type: 'button', 'data-focus': 'undo' }, this.#texts.undo);
+    const button = make('button', { type: 'button', className: 'link', 'data-focus': 'undo' }, this.#texts.undo);
     button.addEventListener('click', () => this.#enqueue(undo));
     this.#found.append(button);
   }
@@ -215,7 +216,7 @@ class OwnProgramsDialog {
   #renderActions(row: ProgramRow): HTMLElement {
     const { actions } = this.#texts;
     const button = (text: string, callback: () => void): HTMLElement => {
-      const made = make('button', { type: 'button' }, text);
+      const made = make('button', { type: 'button', className: 'small framed' }, text);
       made.addEventListener('click', callback);
       return made;
     };
@@ -247,7 +248,7 @@ class OwnProgramsDialog {
       'form',
       {},
       make('label', { className: 'search' }, texts.newName, input),
-      make('button', { type: 'submit' }, texts.confirmRename),
+      make('button', { type: 'submit', className: 'small framed' }, texts.confirmRename),
     );
     const endRenaming = async (): Promise<void> => {
       this.#expanded = { id: row.id, renaming: false };

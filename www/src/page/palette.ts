@@ -8,6 +8,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { UserCommand } from '../panels/panel';
+import '../dom/dialog.css';
 import './palette.css';
 import { readChoices, saveChoices } from './storage';
 
@@ -33,7 +34,6 @@ class Palette {
   constructor() {
     this.#field.addEventListener('input', () => this.#find());
     this.#field.addEventListener('keydown', (event) => this.#handleKey(event));
-    this.#dialog.element.classList.add('share');
     document.body.append(this.#dialog.element);
   }
 

@@ -18,6 +18,7 @@ import type { PageHost } from './page-host';
 import { blockAt, makeFixture, reportText, type ReportData } from './report';
 import { REPORT_WORDS } from './report-words';
 import { toShared } from './shared-program';
+import '../dom/dialog.css';
 import './share.css';
 
 /** Defined by the build. */
@@ -41,7 +42,7 @@ class ReportDialog {
   readonly #did = make('textarea', { id: 'report-did', rows: 3, maxLength: 5000 });
   readonly #output = make('textarea', { id: 'report-output', readOnly: true, rows: 7, spellcheck: false });
   readonly #status = make('p', { className: 'said', role: 'status' });
-  readonly #copy = make('button', { type: 'button', className: 'framed' });
+  readonly #copy = make('button', { type: 'button', className: 'primary' });
   readonly #save = make('button', { type: 'button', className: 'framed' });
   readonly #fields = {
     machine: field(this.#machine),
@@ -61,9 +62,8 @@ class ReportDialog {
         this.#fields.did.label,
       ),
       this.#fields.output.label,
-      this.#status,
     ],
-    [this.#copy, this.#save],
+    [this.#status, this.#save, this.#copy],
   );
   #host: PageHost | undefined;
   #motions: readonly MotionRow[] | undefined;
@@ -74,8 +74,6 @@ class ReportDialog {
   #openCount = 0;
 
   constructor() {
-    // Uses the styles of the dialog "Share".
-    this.#dialog.element.classList.add('share');
     document.body.append(this.#dialog.element);
     for (const input of [this.#machine, this.#line, this.#did]) input.addEventListener('input', () => this.#show());
     this.#copy.addEventListener('click', () => void this.#copyReport());

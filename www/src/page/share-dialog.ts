@@ -17,6 +17,7 @@ import type { PageHost } from './page-host';
 import { FORMS, SHARE_WORDS, VIEWS, type Form, type SharedView, type ShareWords } from './share-words';
 import { toShared } from './shared-program';
 import { PAGE_WORDS } from './words';
+import '../dom/dialog.css';
 import './share.css';
 
 /** Some messaging programs are known to truncate links longer than this. */
@@ -59,10 +60,10 @@ class ShareDialog {
   readonly #drawing = make('div', { className: 'drawn' });
   readonly #length = make('p', { className: 'length' });
   readonly #status = make('p', { className: 'said', role: 'status' });
-  readonly #copy = make('button', { type: 'button', className: 'framed' });
+  readonly #copy = make('button', { type: 'button', className: 'primary' });
   readonly #send = make('button', { type: 'button', className: 'framed' });
   readonly #saveSvg = make('button', { type: 'button', className: 'framed' });
-  readonly #savePng = make('button', { type: 'button', className: 'framed' });
+  readonly #savePng = make('button', { type: 'button', className: 'primary' });
   readonly #fields = {
     form: field(this.#form),
     view: field(this.#view),
@@ -100,7 +101,7 @@ class ShareDialog {
       this.#drawing,
       this.#length,
     ],
-    [this.#status, this.#copy, this.#send, this.#saveSvg, this.#savePng],
+    [this.#status, this.#send, this.#saveSvg, this.#savePng, this.#copy],
   );
   #host: PageHost | undefined;
   #toolStep: string | null = null;
@@ -201,8 +202,8 @@ class ShareDialog {
 
   /** Scrolls to the drawing, which on a phone is below a screen of options. */
   #scrollToDrawing(): void {
-    const { element } = this.#dialog;
-    if (this.#drawing.childElementCount > 0) element.scrollTop = element.scrollHeight;
+    const { body } = this.#dialog;
+    if (this.#drawing.childElementCount > 0) body.scrollTop = body.scrollHeight;
   }
 
   /** What to share, according to the options. */

@@ -429,7 +429,7 @@ class AtCursor implements Panel {
     const texts = WORDS[this.#shell.language];
     const where = make('td', { className: 'since' });
     if (line !== undefined && at !== undefined) {
-      const button = make('button', { type: 'button', className: 'to-block', title: texts.toLine(line) }, String(line));
+      const button = make('button', { type: 'button', className: 'link', title: texts.toLine(line) }, String(line));
       button.setAttribute('aria-label', texts.toLine(line));
       button.addEventListener('click', () => this.#goTo(at));
       where.append(button);

@@ -32,6 +32,7 @@ import { units } from './units';
 import { views } from './views';
 import { whatIf } from './what-if';
 import { writtenOut } from './written-out';
+import dialogStyles from '../dom/dialog.css?inline';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
@@ -68,4 +69,4 @@ export const FURTHER: readonly PanelKind[] = [
 ];
 
 /** Style sheets of the components that are not panels. */
-export const SHARED_STYLES: readonly string[] = [editorStyles];
+export const SHARED_STYLES: readonly string[] = [dialogStyles, editorStyles];

@@ -1,8 +1,9 @@
-// The menu "Help": the popover with keys and gestures, the table of codes, the pages of the rules and the reference.
+// The menu "Help": the dialog with keys and gestures, the table of codes, the pages of the rules and the reference.
 //
 // Must not know: which part handles a key.
 
-import { make, setAccessibleName } from '../dom/dom';
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
@@ -17,11 +18,15 @@ class Help implements Panel {
   readonly #codes = menuItem({ 'aria-haspopup': 'dialog' });
   /** The pages of the rules and of the reference. */
   readonly #links = make('div', { className: 'region' });
-  readonly #element = make('div', { className: 'help', part: 'help', role: 'dialog', popover: 'auto' });
-  readonly elements = { 'help-menu': [this.#keys, this.#codes, this.#links], dialogs: [this.#element] };
+  readonly #list = make('dl');
+  readonly #dialog = new Dialog('help', [this.#list]);
+  readonly elements = { 'help-menu': [this.#keys, this.#codes, this.#links], dialogs: [this.#dialog.element] };
 
   constructor(shell: Shell) {
-    this.#keys.popoverTargetElement = this.#element;
+    this.#keys.addEventListener('click', () => this.#dialog.show());
+    this.#dialog.element.addEventListener('keydown', (event) => {
+      if (event.key === '?') this.#dialog.close();
+    });
     this.#codes.addEventListener('click', () => shell.service('openCodes')());
   }
 
@@ -35,22 +40,22 @@ class Help implements Panel {
       link.tabIndex = -1;
     }
     this.#links.replaceChildren(...links);
-    this.#element.setAttribute('aria-label', strings.helpTitle);
-    const close = make('button', { type: 'button', className: 'quiet close' }, '×');
-    setAccessibleName(close, COMMON[language].close);
-    close.addEventListener('click', () => this.#element.hidePopover());
-    const keys = make('dl');
+    this.#dialog.setTexts(strings.helpTitle, COMMON[language].close);
+    this.#list.replaceChildren();
     for (const [combinations, action] of strings.shortcuts) {
       const term = make('dt');
       for (const [i, key] of combinations.split('  ').entries()) term.append(i > 0 ? ' ' : '', make('kbd', {}, key));
-      keys.append(term, make('dd', {}, action));
+      this.#list.append(term, make('dd', {}, action));
     }
-    this.#element.replaceChildren(make('h2', {}, strings.helpTitle), close, keys);
+  }
+
+  get capturesKeys(): boolean {
+    return this.#dialog.open;
   }
 
   onKey({ event, inside }: Key): 'handled' | 'ignored' {
     if (event.key !== '?' || inside !== 'elsewhere') return 'ignored';
-    this.#element.togglePopover();
+    this.#dialog.show();
     return 'handled';
   }
 }

@@ -15,7 +15,7 @@ interface InferredStockEvents {
 
 export class InferredStock {
   readonly #text = make('span', { className: 'said' });
-  readonly #use = make('button', { type: 'button', className: 'quiet' });
+  readonly #use = make('button', { type: 'button' });
   readonly element = make(
     'div',
     { className: 'inferred-stock', hidden: true },

@@ -5,7 +5,8 @@
 // the tool. Of a long program only the rows around the tool are in the document; the arrow keys load more. Must not
 // know: the meaning of a motion.
 
-import { make, setAccessibleName, setText, renderUnbroken } from '../dom/dom';
+import { DialogHead } from '../dom/dialog';
+import { make, setText, renderUnbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
@@ -25,27 +26,25 @@ class MotionsPanel implements Panel {
   readonly #question: NewestQuestion<'strokes'>;
   readonly #explanation: NewestQuestion<'help'>;
   readonly #button = menuItem({ 'aria-haspopup': 'dialog' });
-  readonly #title = make('h2');
-  readonly #close = make('button', { type: 'button', className: 'quiet close' }, '×');
-  readonly #keys = make('p', { className: 'keys', id: 'motions-keys' });
+  readonly #head = new DialogHead('motions');
+  readonly #keys = make('p', { className: 'about', id: 'motions-keys' });
   /** What the block of the marked row does. */
   readonly #explanationText = make('p', { className: 'does', 'aria-live': 'polite' });
-  readonly #head = make('tr', { role: 'row' });
+  readonly #columns = make('tr', { role: 'row' });
   readonly #body = make('tbody', { role: 'rowgroup' });
   readonly #table = make(
     'table',
     { role: 'grid', 'aria-describedby': 'motions-keys' },
-    make('thead', { role: 'rowgroup' }, this.#head),
+    make('thead', { role: 'rowgroup' }, this.#columns),
     this.#body,
   );
-  readonly #earlier = make('button', { type: 'button', className: 'quiet' });
-  readonly #later = make('button', { type: 'button', className: 'quiet' });
+  readonly #earlier = make('button', { type: 'button' });
+  readonly #later = make('button', { type: 'button' });
   readonly #scroller = make('div', { className: 'scroller' }, this.#earlier, this.#table, this.#later);
   readonly #element = make(
     'div',
-    { className: 'motions', part: 'motions', role: 'dialog', popover: 'manual' },
-    this.#title,
-    this.#close,
+    { className: 'window motions', part: 'motions', role: 'dialog', popover: 'manual' },
+    this.#head.element,
     this.#keys,
     this.#scroller,
     this.#explanationText,
@@ -75,7 +74,7 @@ class MotionsPanel implements Panel {
     this.#question = shell.newest('strokes', (rows) => this.#showRows(rows));
     this.#explanation = shell.newest('help', (help) => this.#explain(help));
     this.#button.addEventListener('click', () => this.#toggle());
-    this.#close.addEventListener('click', () => this.#closeTable());
+    this.#head.close.addEventListener('click', () => this.#closeTable());
     this.#element.addEventListener('keydown', (event) => this.#handleKey(event));
     this.#body.addEventListener('click', (event) => {
       const row = (event.target as Element).closest('tr');
@@ -92,13 +91,12 @@ class MotionsPanel implements Panel {
     this.#description.textContent = texts.described;
     for (const drawing of this.#shell.region('pictures').querySelectorAll('[role=img]'))
       drawing.setAttribute('aria-describedby', this.#description.id);
-    this.#title.textContent = texts.title;
+    this.#head.setTexts(texts.title, COMMON[language].close);
     this.#keys.textContent = texts.keys;
     for (const element of [this.#element, this.#table]) element.setAttribute('aria-label', texts.title);
-    setAccessibleName(this.#close, COMMON[language].close);
     this.#earlier.textContent = texts.earlier;
     this.#later.textContent = texts.later;
-    this.#head.replaceChildren(
+    this.#columns.replaceChildren(
       ...[texts.number, texts.line, texts.motion].map((text) =>
         make('th', { scope: 'col', role: 'columnheader' }, text),
       ),

@@ -3,7 +3,7 @@
 //
 // In: a text and its topic. Must not know: the caller.
 
-import { make, setAccessibleName } from '../dom/dom';
+import { icon, make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Panel, PanelKind, NoticeAction, Services, Topic } from './panel';
@@ -47,7 +47,7 @@ class NoticeLine {
   readonly element = make('div', { className: 'notice', part: 'notice', role: 'alert', hidden: true });
   readonly #text = make('p');
   readonly #action = make('button', { type: 'button', className: 'framed', hidden: true });
-  readonly #close = make('button', { type: 'button', className: 'quiet' }, '×');
+  readonly #close = make('button', { type: 'button', className: 'close' }, icon('whole'));
   #act: (() => void) | undefined;
 
   constructor(onAction: (act: (() => void) | undefined) => void) {

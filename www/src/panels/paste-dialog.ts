@@ -24,7 +24,8 @@ export class PasteDialog {
   readonly #summary = make('summary');
   readonly #details = make('details', { className: 'changes' }, this.#summary, this.#reasons);
   readonly #allMinus = make('button', { type: 'button', className: 'framed' });
-  readonly #applyButton = make('button', { type: 'button', className: 'framed take' });
+  readonly #applyButton = make('button', { type: 'button', className: 'primary' });
+  readonly #leave = make('button', { type: 'button', className: 'framed' });
   readonly #dialog: Dialog;
   #language: Language;
   #found: FoundPrograms | undefined;
@@ -37,7 +38,12 @@ export class PasteDialog {
   constructor(language: Language, events: PasteDialogEvents) {
     this.#language = language;
     this.#events = events;
-    this.#dialog = new Dialog('paste', [this.#list, this.#shown, this.#details], [this.#applyButton, this.#allMinus]);
+    this.#dialog = new Dialog(
+      'paste',
+      [this.#list, this.#shown, this.#details],
+      [this.#allMinus, this.#leave, this.#applyButton],
+    );
+    this.#leave.addEventListener('click', () => this.#dialog.close());
     this.#applyButton.addEventListener('click', () => {
       const text = this.#text();
       this.#dialog.close();
@@ -106,7 +112,9 @@ export class PasteDialog {
 
   #showName(): void {
     const { title, asItIs } = WORDS[this.#language];
-    this.#dialog.setTexts(title, this.#trigger === 'inserted' ? asItIs : COMMON[this.#language].close);
+    this.#dialog.setTexts(title, COMMON[this.#language].close);
+    this.#leave.textContent = asItIs;
+    this.#leave.hidden = this.#trigger === 'requested';
   }
 
   #showList(found: FoundPrograms): void {

@@ -56,22 +56,22 @@ class Playback implements Panel {
   readonly #shell: Shell;
   readonly #row: HTMLElement;
   readonly #seek: NewestQuestion<'seek'>;
-  readonly #play = make('button', { type: 'button', className: 'play', part: 'play' });
+  readonly #play = make('button', { type: 'button', className: 'primary play', part: 'play' });
   readonly #playIcon = make('span', { className: 'play-icon' });
   readonly #playText = make('span', { className: 'play-text' });
-  readonly #previousButton = make('button', { type: 'button', className: 'quiet' }, icon('previous'));
-  readonly #nextButton = make('button', { type: 'button', className: 'quiet' }, icon('next'));
+  readonly #previousButton = make('button', { type: 'button' }, icon('previous'));
+  readonly #nextButton = make('button', { type: 'button' }, icon('next'));
   readonly #fromCursor = make('button', { type: 'button' }, icon('from-here'));
   readonly #stepUnit = make('select', { className: 'speed unit' });
-  readonly #wholePath = make('button', { type: 'button', className: 'quiet' }, icon('whole'));
+  readonly #wholePath = make('button', { type: 'button' }, icon('whole'));
   readonly #slider = make('input', { type: 'range', min: '0', max: '1', step: 'any', value: '0', className: 'scrub' });
   readonly #speed = make('select', { className: 'speed' });
   readonly #optionalStopToggle = make(
     'button',
-    { type: 'button', className: 'level optional', 'aria-pressed': 'true', hidden: true },
+    { type: 'button', className: 'framed optional', 'aria-pressed': 'true', hidden: true },
     'M01',
   );
-  readonly #singleBlockToggle = make('button', { type: 'button', className: 'level single', 'aria-pressed': 'false' });
+  readonly #singleBlockToggle = make('button', { type: 'button', className: 'framed single', 'aria-pressed': 'false' });
   readonly #speedCaption = make('span');
   readonly #unitCaption = make('span');
   readonly #paceText = make('span');

@@ -108,7 +108,7 @@ class ReadAsChip implements Panel {
     const label = basis === 'recognised' ? texts.recognised(text) : basis === 'set' ? texts.set(text) : text;
     const className = `fact ${basis}`;
     if (key === undefined) return make('span', { className }, label);
-    const button = make('button', { type: 'button', className }, label);
+    const button = make('button', { type: 'button', className: `link ${className}` }, label);
     button.addEventListener('click', () => this.#openField(key));
     return button;
   }

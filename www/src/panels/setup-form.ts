@@ -44,7 +44,7 @@ export class SetupDialog {
   readonly #placeFieldset = make('fieldset', { className: 'place-of-setup' });
   readonly #placeHint = make('p', { className: 'moves' });
   readonly #form = make('form', { id: 'setup-form', className: 'text', noValidate: true });
-  readonly #applyButton = make('button', { type: 'submit', className: 'framed apply' });
+  readonly #applyButton = make('button', { type: 'submit', className: 'primary' });
   readonly #status = make('p', { className: 'errors', role: 'status' });
   readonly #toolInput = make('input', {
     type: 'text',
@@ -56,7 +56,7 @@ export class SetupDialog {
   readonly #addButton = make('button', { type: 'button', className: 'framed' });
   readonly #toolError = make('p', { className: 'error', id: 'another-tool-error', hidden: true });
   readonly #unappliedText = make('span');
-  readonly #discard = make('button', { type: 'button', className: 'quiet clear' });
+  readonly #discard = make('button', { type: 'button', className: 'link' });
   readonly #unappliedNotice = make(
     'p',
     { className: 'left', role: 'status', hidden: true },
@@ -217,7 +217,7 @@ export class SetupDialog {
     if (inputs[0] !== undefined) this.#firstInputs.set(group, inputs[0]);
     const clear = make(
       'button',
-      { type: 'button', className: 'quiet clear', 'aria-label': texts.clear(title) },
+      { type: 'button', className: 'link clear', 'aria-label': texts.clear(title) },
       texts.clearShort,
     );
     clear.addEventListener('click', () => {

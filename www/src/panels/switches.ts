@@ -79,7 +79,7 @@ class Switches implements Panel {
   }
 
   #button(level: number): HTMLButtonElement {
-    const button = make('button', { type: 'button', className: 'level', role: 'switch' }, mark(level));
+    const button = make('button', { type: 'button', className: 'framed', role: 'switch' }, mark(level));
     button.addEventListener('click', () => {
       const { blockSkip } = this.#state;
       const others = blockSkip.filter((other) => other !== level);

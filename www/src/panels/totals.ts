@@ -2,7 +2,8 @@
 //
 // In: the totals of the newest run, requested once its path is complete. Must not know: how they are computed.
 
-import { make, setAccessibleName, setText } from '../dom/dom';
+import { Dialog } from '../dom/dialog';
+import { make, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
@@ -24,18 +25,9 @@ export const totals: PanelKind = { control: 'tools', styles: totalsStyles, make:
 class TotalsPanel implements Panel {
   readonly #shell: Shell;
   readonly #button = menuItem({ 'aria-haspopup': 'dialog', hidden: true });
-  readonly #title = make('h2');
-  readonly #close = make('button', { type: 'button', className: 'quiet close' }, '×');
   readonly #body = make('div', { className: 'scroller', tabIndex: 0, role: 'region' });
   readonly #notes = make('p', { hidden: true });
-  readonly #element = make(
-    'div',
-    { className: 'totals', part: 'totals', role: 'dialog', popover: 'auto' },
-    this.#title,
-    this.#close,
-    this.#body,
-    this.#notes,
-  );
+  readonly #dialog = new Dialog('totals', [this.#body, this.#notes]);
   /** One row for each tool, and the last row for the whole program. */
   #rows: readonly Totals[] = [];
   #unit: LengthUnit = 'mm';
@@ -43,22 +35,23 @@ class TotalsPanel implements Panel {
   readonly #time = make('span', { className: 'time', part: 'time' });
   /** The time at the tool. */
   #elapsed: string | undefined;
-  readonly elements = { 'more-menu': [this.#button], playback: [this.#time], dialogs: [this.#element] };
+  readonly elements = { 'more-menu': [this.#button], playback: [this.#time], dialogs: [this.#dialog.element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#button.popoverTargetElement = this.#element;
-    this.#close.addEventListener('click', () => this.#element.hidePopover());
-    this.#element.addEventListener('beforetoggle', (event) => {
-      if ((event as ToggleEvent).newState === 'open' && this.#rows.length === 0) void this.#ask();
+    this.#button.addEventListener('click', () => {
+      this.#dialog.show();
+      if (this.#rows.length === 0) void this.#ask();
     });
   }
 
   set language(language: Language) {
-    this.#title.textContent = WORDS[language].title;
-    this.#element.setAttribute('aria-label', WORDS[language].title);
-    setAccessibleName(this.#close, COMMON[language].close);
+    this.#dialog.setTexts(WORDS[language].title, COMMON[language].close);
     this.#show();
+  }
+
+  get capturesKeys(): boolean {
+    return this.#dialog.open;
   }
 
   onEvent(event: CoreEvent): void {
@@ -68,8 +61,7 @@ class TotalsPanel implements Panel {
     if (stage === 'repeated') this.#show();
     if (stage !== 'whole' && stage !== 'path') return;
     this.#button.hidden = summary.motions === 0;
-    if (summary.motions > 0 && (summary.motions <= MAX_AUTO_TOTALS || this.#element.matches(':popover-open')))
-      void this.#ask();
+    if (summary.motions > 0 && (summary.motions <= MAX_AUTO_TOTALS || this.#dialog.open)) void this.#ask();
     else this.#set([]);
   }
 

@@ -33,7 +33,7 @@ class Views implements Panel {
   readonly #buttons: Readonly<Record<PictureChoice, HTMLButtonElement>>;
   readonly #turret = menuItem({ role: 'menuitemcheckbox' });
   readonly #keepButton = menuItem();
-  readonly #endButton = make('button', { type: 'button', className: 'small', hidden: true });
+  readonly #endButton = make('button', { type: 'button', className: 'small framed', hidden: true });
   readonly #differences = make('div', { className: 'differences', 'aria-live': 'polite', hidden: true });
   #state: ViewsState = { pictures: ['section'], work: [], turret: 'rear', comparison: undefined };
   /** Who began the comparison: the host page must not end one that the user began. */
@@ -60,7 +60,7 @@ class Views implements Panel {
     this.#shell = shell;
     this.#row = shell.region('views');
     const makeButton = (pictures: PictureChoice): HTMLButtonElement => {
-      const button = make('button', { type: 'button', className: 'level', role: 'radio' });
+      const button = make('button', { type: 'button', className: 'framed', role: 'radio' });
       button.addEventListener('click', () => this.#choose(pictures));
       button.addEventListener('keydown', (event) => this.#handleKey(event));
       return button;

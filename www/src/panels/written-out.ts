@@ -27,9 +27,9 @@ class ExpandedPanel implements Panel {
   readonly #button = menuItem({ 'aria-haspopup': 'dialog' });
   readonly #text = make('div', { className: 'text' });
   readonly #copy = make('button', { type: 'button', className: 'framed' });
-  readonly #applyButton = make('button', { type: 'button', className: 'framed' });
+  readonly #applyButton = make('button', { type: 'button', className: 'primary' });
   readonly #news = make('span', { className: 'unseen', role: 'log' });
-  readonly #dialog = new Dialog('written-out', [this.#text], [this.#copy, this.#applyButton, this.#news]);
+  readonly #dialog = new Dialog('written-out', [this.#text], [this.#news, this.#copy, this.#applyButton]);
   /** Made each time the dialog opens; its code is loaded with the editor's. */
   #view: CodeView | undefined;
   #copiedTimer: ReturnType<typeof setTimeout> | undefined;

@@ -66,7 +66,7 @@
 // Slots: `intro` under the program; `fallback`, shown until there is a picture; `title` of the program in the row at the
 // top; `about` beside how the program was read; items of the menus: `program-menu`, `share-menu`, `help-menu`, `more-menu`.
 // CSS custom properties: --playground-height, --playground-type-size, --playground-font, --playground-code-font,
-// --playground-code-size and the colours of colours.css.
+// --playground-code-size and the tokens of tokens.css.
 // Parts: frame head menu program-menu share-menu help-menu more-menu intro bar file switches editor problems drawing canvas old-picture what-if at-cursor legend tooltip
 // setup views assumptions playback play readout doing pace time status notice hint totals units open-link motions written-out
 // rewrite codes solid paste help read-as reading profiles caption fallback.
@@ -88,7 +88,8 @@ import { Source, textInside } from './source';
 import { adoptStyles } from './style-sheets';
 import { upgradeIn, upgradeDocument } from './upgrade';
 import { parseLoading, startButton, whenNear, type Loading } from './when-seen';
-import colours from '../colours.css?inline';
+import controls from '../dom/controls.css?inline';
+import tokens from '../tokens.css?inline';
 import styles from './styles.css?inline';
 
 export interface OpenedProgram {
@@ -526,7 +527,7 @@ export class GcodePlayground extends Base {
   /** Attaches the styles first, so that the element has its size before it has content. */
   #prepareRoot(): ShadowRoot {
     const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
-    adoptStyles(root, [colours, styles]);
+    adoptStyles(root, [tokens, controls, styles]);
     return root;
   }
 
