@@ -40,6 +40,7 @@ mod export;
 mod files;
 mod glossary;
 mod golden;
+mod learn;
 mod library;
 mod line_ends;
 mod lints;

@@ -1,6 +1,6 @@
 //! The pages of the reference: each document of `www/docs` becomes one, and all links between them are valid.
 #[path = "../www/docs/html/site.rs"]
-mod site;
+pub mod site;
 
 use std::fs;
 use std::path::Path;

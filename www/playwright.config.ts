@@ -20,6 +20,7 @@ const CHROMIUM_ONLY = specFiles(
   'dialogs',
   'docs',
   'killed-while-typing',
+  'learn',
   'links',
   'long-program',
   'many',

@@ -19,6 +19,8 @@ test('the table is opened, filtered, read and closed by keyboard', async ({ page
   await chooseControl(page, 'fanuc');
   await page.getByRole('button', { name: 'Help' }).focus();
   await page.keyboard.press('Enter');
+  await expect(page.getByRole('menuitem', { name: 'Learn' })).toBeFocused();
+  await page.keyboard.press('ArrowDown');
   await expect(page.getByRole('menuitem', { name: 'Keys and gestures' })).toBeFocused();
   await page.keyboard.press('ArrowDown');
   await expect(page.getByRole('menuitem', { name: 'Supported codes' })).toBeFocused();

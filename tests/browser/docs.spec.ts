@@ -4,9 +4,9 @@ import { manual, openHtml, settled } from './embedded';
 import { choose, chooseLanguage, open, openMenu } from './page';
 
 for (const [language, link] of [
-  ['en', 'Documentation'],
-  ['zh', '文档（英文）'],
-  ['ru', 'Документация (на английском)'],
+  ['en', 'Reference for developers'],
+  ['zh', '开发者参考（英文）'],
+  ['ru', 'Справочник разработчика (на английском)'],
 ] as const) {
   test(`the help leads to the reference: ${language}`, async ({ page }) => {
     await open(page);
@@ -20,7 +20,7 @@ for (const [language, link] of [
 
 test('the help of the published element leads to its own copy of the reference', async ({ page }) => {
   await page.goto('./embed/index.html#program=G00%20X50%20Z2');
-  const [reference] = await Promise.all([page.waitForEvent('popup'), choose(page, 'help', 'Documentation')]);
+  const [reference] = await Promise.all([page.waitForEvent('popup'), choose(page, 'help', 'Reference for developers')]);
   await reference.waitForLoadState();
   expect(reference.url()).toMatch(/\/embed\/docs\/index\.html$/);
   await expect(reference.getByRole('heading', { level: 1 })).toHaveText('Reference');
@@ -38,7 +38,7 @@ test('attributes of the element set the folders of the documents and of the rule
   );
   await settled(page);
   await openMenu(page, 'help');
-  const reference = page.getByRole('menuitem', { name: 'Documentation' });
+  const reference = page.getByRole('menuitem', { name: 'Reference for developers' });
   await reference.focus();
   await expect(reference).toHaveAttribute('href', 'https://manual.example/lathe/docs/index.html');
   await expect(page.getByRole('menuitem', { name: 'All rules' })).toHaveCount(0);
@@ -50,6 +50,13 @@ test('attributes of the element set the folders of the documents and of the rule
   const rules = page.getByRole('menuitem', { name: 'All rules' });
   await rules.focus();
   await expect(rules).toHaveAttribute('href', /^https?:.*\/pages\/en\/index\.html$/);
+  const learn = page.getByRole('menuitem', { name: 'Learn' });
+  await expect(learn).toHaveAttribute('href', /^https?:.*\/learn\/en\/index\.html$/);
+  await page.evaluate(() => document.querySelector('gcode-playground')!.setAttribute('learn', 'lessons/'));
+  await learn.focus();
+  await expect(learn).toHaveAttribute('href', /^https?:.*\/lessons\/en\/index\.html$/);
+  await page.evaluate(() => document.querySelector('gcode-playground')!.setAttribute('learn', ''));
+  await expect(learn).toHaveCount(0);
 });
 
 test('links lead from one document to another, to a section of it, and back to the playground', async ({ page }) => {

@@ -6,6 +6,7 @@ import {
   choose,
   chooseExample,
   chooseLanguage,
+  drawing,
   editor,
   motionCount,
   openFile,
@@ -118,6 +119,11 @@ test('after the first visit everything works without a network', async ({ page }
       .toBeGreaterThan(0);
     await page.goto(`${site.address}rules/zh/`);
     await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+  });
+  await test.step('Learn pages, with their elements', async () => {
+    await page.goto(`${site.address}learn/ru/axes.html`);
+    await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+    await expect(drawing(page)).toBeVisible();
   });
   await test.step('reference', async () => {
     await page.goto(`${site.address}docs/limits.html`);

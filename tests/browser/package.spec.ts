@@ -66,6 +66,7 @@ test('the package contains its listed files and metadata for TypeScript and edit
     'frame.js',
     'rules',
     'docs',
+    'learn',
     'node',
     'sphinx',
     'LICENSE-MIT',

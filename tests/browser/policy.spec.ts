@@ -94,6 +94,7 @@ test('every built page has a policy before its content, and the policy allows no
     'docs',
     'embed',
     'index.html',
+    'learn',
     'rules',
   ]);
   expect(pages.flatMap(faultsOf)).toEqual([]);
@@ -105,6 +106,8 @@ const PAGES = {
   'a rule page': './rules/en/number-missing.html',
   'the list of rules': './rules/ru/index.html',
   'a document': './docs/limits.html',
+  'a Learn page': './learn/en/axes.html',
+  'a Learn page of the published element': './embed/learn/ru/cycles.html',
   'a document of the published element': './embed/docs/element.html',
 } as const;
 
@@ -112,7 +115,7 @@ for (const [name, address] of Object.entries(PAGES)) {
   test(`the policy blocks nothing of the page, and an injected script does not run: ${name}`, async ({ page }) => {
     await page.addInitScript(collect);
     await page.goto(address);
-    if (name === 'the page' || name === 'the frame') await settled(page);
+    if ((await page.locator('gcode-playground').count()) > 0) await settled(page);
     await page.waitForTimeout(300);
     expect(
       await page.evaluate(

@@ -74,6 +74,8 @@ export class GcodePlayground extends HTMLElement {
   rules: string | null;
   /** The folder of the documents. Null: `docs/` next to `element.js`; empty: no link to them. */
   docs: string | null;
+  /** The folder of the Learn pages. Null: `learn/` next to `element.js`; empty: no link to them. */
+  learn: string | null;
   /** Any text with which the page identifies the program. */
   origin: string | null;
   /** Resolves to the number of the run once everything of that run is shown. */
@@ -163,6 +165,7 @@ export type GcodePlaygroundProps = Partial<
     | 'playground'
     | 'rules'
     | 'docs'
+    | 'learn'
     | 'origin'
   >
 > & {

@@ -273,16 +273,16 @@ pub fn site(setup: &Setup) -> Result {
     Ok(())
 }
 
-/// Builds the page into www/dist, and next to it the rule pages, the reference, the element for other pages
-/// and the files for offline use.
+/// Builds the page into www/dist, and next to it the rule pages, the reference, the Learn pages, the element for
+/// other pages and the files for offline use.
 pub fn page(setup: &Setup, beside: native::Beside) -> Result<Duration> {
     let page = run::step("building the page", &mut setup.npm(&["run", "build"]))?;
     let mut rules = native::rule_pages(beside)?;
     rules.arg(run::www().join("dist/rules"));
     let rules = run::step("writing the pages of the rules", &mut rules)?;
     let mut docs = native::reference(beside)?;
-    docs.arg(run::www().join("dist/docs"));
-    let docs = run::step("writing the reference", &mut docs)?;
+    docs.arg(run::www().join("dist"));
+    let docs = run::step("writing the reference and the Learn pages", &mut docs)?;
     let element = embed::element(setup)?;
     // It lists the existing files, so it comes last.
     let offline = run::step(

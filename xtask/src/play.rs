@@ -50,7 +50,7 @@ const PAUSE: Duration = Duration::from_millis(300);
 /// Time limit for the start of the server.
 const MOST: Duration = Duration::from_secs(60);
 
-/// The environment variable that passes the folder of the rule pages and the reference to Vite.
+/// The environment variable that passes the folder of these pages to Vite.
 const DOCUMENTS: &str = "PLAYGROUND_DOCUMENTS";
 
 /// `cargo xtask play`.
@@ -110,19 +110,22 @@ fn module(setup: &Setup) -> Result {
     package::write(&stamp, &built)
 }
 
-/// The folder of the rule pages and the reference.
+/// The folder of the rule pages, the reference and the Learn pages.
 fn documents_folder() -> PathBuf {
     run::target().join("documents")
 }
 
-/// Writes the rule pages and the reference.
+/// Writes the rule pages, the reference and the Learn pages.
 fn documents() -> Result {
     let folder = documents_folder();
     step(
         "writing the pages of the rules",
         native::rule_pages(native::Beside::Nothing)?.arg(folder.join("rules")),
     )?;
-    step("writing the reference", native::reference(native::Beside::Nothing)?.arg(folder.join("docs")))?;
+    step(
+        "writing the reference and the Learn pages",
+        native::reference(native::Beside::Nothing)?.arg(folder),
+    )?;
     Ok(())
 }
 

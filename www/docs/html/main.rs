@@ -1,22 +1,27 @@
-//! Writes the reference (`www/docs/*.md`) as HTML. Part of building the page:
+//! Writes the reference (`www/docs/*.md`) and the Learn pages (`www/learn`) as HTML. Part of building the page:
 //! `cargo xtask site` and `cargo xtask test`.
 //!
-//! In: a folder. Out: one page for each document (`README.md` becomes `index.html`), and one style sheet.
+//! In: the folder of the site. Out: its folder `docs`, with one page for each document (`README.md` becomes
+//! `index.html`), and its folder `learn`, with one page for each document and language; a style sheet in each.
 
+mod learn;
 mod site;
 
 use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs, io};
 
-/// The folder of the documents.
-const DOCUMENTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+/// The folder of the reference.
+const REFERENCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+/// The folder of the Learn pages.
+const LEARN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../learn");
 
 fn main() -> ExitCode {
-    let folder = env::args_os().nth(1).unwrap_or_else(|| "target/docs".into());
+    let folder = env::args_os().nth(1).unwrap_or_else(|| "target/documents".into());
     match write(Path::new(&folder)) {
         Ok(count) => {
-            println!("{count} files of the reference");
+            println!("{count} files of the reference and the Learn pages");
             ExitCode::SUCCESS
         }
         Err(problem) => {
@@ -26,15 +31,23 @@ fn main() -> ExitCode {
     }
 }
 
-fn write(folder: &Path) -> Result<usize, String> {
-    let files = site::files(Path::new(DOCUMENTS))?;
-    let save = || -> io::Result<()> {
-        fs::create_dir_all(folder)?;
-        for (name, content) in &files {
-            fs::write(folder.join(name), content)?;
-        }
-        Ok(())
-    };
-    save().map_err(|error| format!("{}: {error}", folder.display()))?;
-    Ok(files.len())
+fn write(site: &Path) -> Result<usize, String> {
+    let folders = [
+        (site.join("docs"), site::files(Path::new(REFERENCE))?),
+        (site.join("learn"), learn::files(Path::new(LEARN))?),
+    ];
+    let mut count = 0;
+    for (folder, files) in folders {
+        let save = || -> io::Result<()> {
+            for (name, content) in &files {
+                let path = folder.join(name);
+                fs::create_dir_all(path.parent().unwrap_or(&folder))?;
+                fs::write(path, content)?;
+            }
+            Ok(())
+        };
+        save().map_err(|error| format!("{}: {error}", folder.display()))?;
+        count += files.len();
+    }
+    Ok(count)
 }

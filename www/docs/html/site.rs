@@ -181,13 +181,13 @@ impl<'a> Page<'a> {
     }
 }
 
-fn is_comment(html: &str) -> bool {
+pub fn is_comment(html: &str) -> bool {
     let html = html.trim();
     html.is_empty() || html.starts_with("<!--") && html.ends_with("-->")
 }
 
 /// The text of the events up to an end, without formatting.
-fn plain(events: &[Event], is_end: impl Fn(&TagEnd) -> bool) -> String {
+pub fn plain(events: &[Event], is_end: impl Fn(&TagEnd) -> bool) -> String {
     let inside = events.iter().take_while(|event| !matches!(event, Event::End(end) if is_end(end)));
     inside
         .filter_map(|event| match event {
@@ -198,7 +198,7 @@ fn plain(events: &[Event], is_end: impl Fn(&TagEnd) -> bool) -> String {
 }
 
 /// The anchor of a heading, as repositories make it: lower case, hyphens for spaces, no other signs.
-fn anchor(title: &str) -> String {
+pub fn anchor(title: &str) -> String {
     let kept = title.chars().filter(|letter| letter.is_alphanumeric() || [' ', '-', '_'].contains(letter));
     kept.flat_map(char::to_lowercase).map(|letter| if letter == ' ' { '-' } else { letter }).collect()
 }
@@ -222,7 +222,7 @@ fn language(text: &str) -> Option<&'static str> {
     })
 }
 
-fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

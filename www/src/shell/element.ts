@@ -28,7 +28,7 @@
 //   turret    front | rear
 //   caption   a line under the element, which is also its accessible name
 //   playground https://…               target of "Open in the playground"; empty: no link
-//   rules, docs https://…              the folders of the rule pages and of the documents; empty: no links to them
+//   rules, docs, learn https://…       the folders of the rule pages, the documents, the Learn pages; empty: no links to them
 //   loading   lazy | eager | click     start near the viewport, immediately, or on click
 //   split     40                       width of the program beside the drawing, percent; follows the divider
 //   hints     "play pick"              the introductory hints that are still to be shown; missing: none
@@ -103,7 +103,7 @@ const RERENDERING_ATTRIBUTES: readonly string[] = ['view', 'controls', 'readonly
 const AUTHOR_ATTRIBUTES: readonly string[] = ['highlight', 'lines', 'fit', 'turret', 'caption', 'playground'];
 
 /** These need no update: they are read when the pointer or the focus reaches a link. */
-const LINK_ATTRIBUTES: readonly string[] = ['rules', 'docs'];
+const LINK_ATTRIBUTES: readonly string[] = ['rules', 'docs', 'learn'];
 
 /** Node has no `HTMLElement`; there the class is only imported, never instantiated. */
 const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
@@ -130,6 +130,7 @@ export class GcodePlayground extends Base {
     'playground',
     'rules',
     'docs',
+    'learn',
   ];
 
   /** Set by the page to identify the program; null after another program has replaced it. */
@@ -421,6 +422,15 @@ export class GcodePlayground extends Base {
 
   set docs(address: string | null) {
     this.#setOrRemove('docs', address);
+  }
+
+  /** The address of the folder of the Learn pages; empty: no link to them. */
+  get learn(): string | null {
+    return this.getAttribute('learn');
+  }
+
+  set learn(address: string | null) {
+    this.#setOrRemove('learn', address);
   }
 
   play(): void {
