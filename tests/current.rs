@@ -311,9 +311,9 @@ fn marked_lines_are_lit_up_until_a_block_is_chosen() {
     assert_eq!(lit(&mut current), [0..2, 3..4]);
 }
 
-/// A picture can be fitted to the part, or to the whole path including the tool change position.
+/// A picture can be fitted to the cuts, to the part, or to the whole path including the tool change position.
 #[test]
-fn a_picture_is_fitted_to_the_part_or_to_the_path() {
+fn a_picture_is_fitted_to_the_cuts_to_the_part_or_to_the_path() {
     let text = "G00 X300 Z400\nX50 Z2\nG01 Z-10 F0.2\nG00 X300 Z400\n";
     let setup = Setup::from_json(r#"{"stock": {"diameter": 60, "length": 80}}"#).expect("a setup");
     let mut current = fresh(text, &setup);
@@ -321,7 +321,9 @@ fn a_picture_is_fitted_to_the_part_or_to_the_path() {
         current.look(Plane::Section, |view, scene| view.set_frame(scene, frame));
         section(&mut current).view.camera().scale()
     };
-    let [usual, part, path] = [Frame::Usual, Frame::Part, Frame::Path].map(&mut scale);
+    let [usual, cuts, part, path] = [Frame::Usual, Frame::Cuts, Frame::Part, Frame::Path].map(&mut scale);
+    // The cut is 12 mm long and at radius 25; the blank is 80 mm long, and 60 mm high on both sides of the axis.
+    assert!(cuts > 2.0 * part, "{cuts} {part}");
     assert!(part >= usual && usual > 2.0 * path, "{part} {usual} {path}");
 }
 

@@ -178,9 +178,11 @@ impl Card<'_> {
     /// The rows of all blocks, and the number of omitted ones.
     fn rows(&self, language: Language) -> (Vec<Row>, usize) {
         let told = Told::new(self, language);
+        let mut contours = Contours::new(&told);
         let mut rows = Vec::new();
         let mut more = 0;
         for block in blocks(self.text) {
+            let in_contour = contours.line_of(&block, &told);
             let has_remark = !block.comments.is_empty();
             if block.kind == BlockKind::Percent
                 || (block.is_empty() && block.sequence.is_none() && !has_remark)
@@ -188,7 +190,7 @@ impl Card<'_> {
                 continue;
             }
             if rows.len() < MAX_BLOCKS {
-                rows.push(told.row(&block));
+                rows.push(told.row(&block, in_contour));
             } else {
                 more += 1;
             }
@@ -223,7 +225,13 @@ impl<'a> Told<'a> {
         Self { card, language, functions, motions }
     }
 
-    fn row(&self, block: &Block) -> Row {
+    /// The function of a word that is a code, and its index among the codes with the same function.
+    fn function(&self, word: &Word) -> Option<(Function, usize)> {
+        spelled(word).and_then(|code| self.functions.get(&code).copied())
+    }
+
+    /// `in_contour`: how the block moves in a contour that a cycle reads.
+    fn row(&self, block: &Block, in_contour: Option<Function>) -> Row {
         let text = self.card.text;
         let own: Vec<Motion> = self
             .motions
@@ -232,6 +240,9 @@ impl<'a> Told<'a> {
             .collect();
         let mut does = self.codes(block, &own);
         does.extend(self.moves(&own));
+        if does.is_empty() {
+            does.extend(in_contour.map(|function| function.describe(self.language).to_owned()));
+        }
         let mut time = Total::default();
         for motion in &own {
             time.add(motion, &self.card.setup.machine);
@@ -262,8 +273,7 @@ impl<'a> Told<'a> {
             told.push(function.describe(self.language).to_owned());
         }
         for word in &block.words {
-            let Some((function, index)) = spelled(word).and_then(|code| self.functions.get(&code).copied())
-            else {
+            let Some((function, index)) = self.function(word) else {
                 if let Some(tool) = self.tool(word) {
                     told.push(tool);
                 }
@@ -314,6 +324,62 @@ impl<'a> Told<'a> {
             None if own.len() > MAX_DESCRIBED => vec![count(w.moves, own.len() as u64)],
             None => own.iter().map(told).collect(),
         }
+    }
+}
+
+/// The contours that G70 to G73 read: their blocks make no motions.
+#[derive(Default)]
+struct Contours {
+    /// First and last sequence number of each.
+    named: Vec<(u32, u32)>,
+    /// The last sequence number of the contour that the text is in.
+    last: Option<u32>,
+    /// The move that is modal there.
+    modal: Option<Function>,
+}
+
+impl Contours {
+    fn new(told: &Told) -> Self {
+        let named = blocks(told.card.text).filter_map(|block| {
+            let reads = |word: &Word| {
+                matches!(
+                    told.function(word),
+                    Some((
+                        Function::Finishing
+                            | Function::RoughTurning
+                            | Function::RoughFacing
+                            | Function::Pattern,
+                        _
+                    ))
+                )
+            };
+            let number = |address: u8| {
+                let word = block.words.iter().find(|word| word.address == address)?;
+                u32::try_from(word_number(word)?.integer()?).ok()
+            };
+            block.words.iter().any(reads).then_some(())?;
+            Some((number(b'P')?, number(b'Q')?))
+        });
+        Self { named: named.collect(), ..Self::default() }
+    }
+
+    /// How a block moves in a contour. The blocks come in text order.
+    fn line_of(&mut self, block: &Block, told: &Told) -> Option<Function> {
+        if let Some(contour) = self.named.iter().find(|(first, _)| block.sequence == Some(*first)) {
+            (self.last, self.modal) = (Some(contour.1), None);
+        }
+        let last = self.last?;
+        for (function, _) in block.words.iter().filter_map(|word| told.function(word)) {
+            if let Function::Rapid | Function::Line | Function::ArcClockwise | Function::ArcCounterclockwise =
+                function
+            {
+                self.modal = Some(function);
+            }
+        }
+        if block.sequence == Some(last) {
+            self.last = None;
+        }
+        self.modal.filter(|_| block.words.iter().any(|word| b"XZUW".contains(&word.address)))
     }
 }
 
@@ -621,6 +687,27 @@ mod tests {
         }
         assert!(does(&html(program, Language::Chinese), "G90 X40 Z-20 R-2").starts_with("锥面切削循环"));
         assert!(does(&html(program, Language::Russian), "G50 S2000").starts_with("наибольшая частота"));
+    }
+
+    /// The blocks of a contour without a code make no motions, and move as the last code of the contour says.
+    #[test]
+    fn each_block_of_a_contour_is_described() {
+        let program = "T0101 M3 S500\nG0 X42 Z2\nG71 U2 R1\nG71 P10 Q20 U0.4 W0.1 F0.25\nN10 G0 X20\nG1 Z-15\n\
+            G2 X30 Z-20 R5\nG1 X34\nN15 W-10\nN20 X42\nG70 P10 Q20\nX60\nM30\n";
+        let page = html(program, Language::English);
+        for (block, wanted) in [
+            ("G0 X20", "rapid"),
+            ("G2 X30 Z-20 R5", "arc, clockwise"),
+            ("W-10", "straight cut"),
+            ("X42", "straight cut"),
+        ] {
+            let said = does(&page, block);
+            assert!(said.starts_with(wanted), "{block}: {said:?} in\n{page}");
+        }
+        // Behind the contour, a block is described by its motion.
+        assert!(!does(&page, "X60").starts_with("straight cut"), "{page}");
+        assert!(does(&html(program, Language::Chinese), "W-10").starts_with("直线插补"));
+        assert!(does(&html(program, Language::Russian), "X42").starts_with("прямая"));
     }
 
     #[test]

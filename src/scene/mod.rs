@@ -433,6 +433,11 @@ impl<'a> Scene<'a> {
     pub fn bounds_of(&self, frame: Frame) -> Bounds {
         match frame {
             Frame::Usual => self.bounds(),
+            Frame::Cuts => {
+                let near = |cuts| self.stock().map_or(cuts, |stock| self.cuts_near(stock, cuts));
+                let cuts = self.path_index.cuts().map(near);
+                cuts.map_or_else(|| self.bounds(), |cuts| self.with_axis(cuts))
+            }
             Frame::Part => {
                 let core = self.stock().or(self.path_index.cuts());
                 core.map_or_else(|| self.bounds(), |core| self.with_axis(core))

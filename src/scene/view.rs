@@ -35,6 +35,8 @@ pub enum Frame {
     /// Cuts, stock, and the rapids that end nearby.
     #[default]
     Usual,
+    /// The cuts and the spindle axis, as large as possible, such as for a class.
+    Cuts,
     /// The stock, or the cuts if there is none.
     Part,
     /// All motions.

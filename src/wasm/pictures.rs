@@ -90,11 +90,12 @@ impl Playground {
         self.current.look(picture.into(), |view, scene| view.fit(scene));
     }
 
-    /// Sets the extent of a fitted picture: the `part` or the whole `path`; anything else selects the
-    /// default.
+    /// Sets the extent of a fitted picture: the `cuts`, the `part` or the whole `path`; anything else selects
+    /// the default.
     #[wasm_bindgen(js_name = setFrame)]
     pub fn set_frame(&mut self, frame: &str) {
         let frame = match frame {
+            "cuts" => Frame::Cuts,
             "part" => Frame::Part,
             "path" => Frame::Path,
             _ => Frame::Usual,

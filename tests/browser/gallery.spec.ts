@@ -43,6 +43,29 @@ test('an example is found by its topic, and opened', async ({ page }) => {
   expect(await value(page)).toBe(program('syn-g84-tap'));
 });
 
+test('the gallery opens at the current example, and no card is cut at the top', async ({ page }) => {
+  for (const id of ['s000-o0002', 's001-frag-g90-taper', 'syn-g90-q4', 's003-g71', 's002-g121-square-asprinted']) {
+    await open(page, `#${id}`);
+    await choose(page, 'program', 'Gallery…');
+    await expect(gallery(page).getByRole('status')).toHaveText(`${examples.length} examples`);
+    const { current, cut } = await gallery(page).evaluate((dialog: Element) => {
+      const list = dialog.querySelector('.subjects')?.getBoundingClientRect();
+      if (list === undefined) throw new Error('no list');
+      const cards = [...dialog.querySelectorAll('.card')].map((card) => {
+        const { top, bottom } = card.getBoundingClientRect();
+        return { current: card.hasAttribute('aria-current'), top, bottom };
+      });
+      const current = cards.find((card) => card.current);
+      return {
+        current: current !== undefined && current.top >= list.top - 1 && current.bottom <= list.bottom + 1,
+        cut: cards.filter(({ top, bottom }) => top < list.top - 1 && bottom > list.top + 1).length,
+      };
+    });
+    expect({ id, current, cut }).toEqual({ id, current: true, cut: 0 });
+    await page.goto('about:blank');
+  }
+});
+
 test('a URL selects an example, and changing the URL opens another one', async ({ page }) => {
   await open(page, '#s003-g71');
   await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);

@@ -2,7 +2,18 @@
 // A message about a setting has a button that sets it.
 import { expect, test, type Locator, type Page } from './engines';
 import { settled } from './embedded';
-import { chip, choose, editor, open, openFile, openProblems, problems, value } from './page';
+import {
+  chip,
+  choose,
+  chooseLanguage,
+  editor,
+  open,
+  openFile,
+  openProblems,
+  openReading,
+  problems,
+  value,
+} from './page';
 
 /** The popover of the chip. */
 const reading = (page: Page): Locator => page.getByRole('dialog', { name: 'How the program was read' });
@@ -48,6 +59,34 @@ test('chip and popover show control, system, unit, point, feed, block skip and p
     await chip(page).click();
     await expect(page.getByRole('dialog', { name: 'Как прочитана программа' })).toContainText('система B (распознано)');
   });
+});
+
+test('no line of the facts begins with a comma, in any width', async ({ page }) => {
+  for (const language of ['en', 'zh', 'ru'] as const) {
+    await open(page);
+    await chooseLanguage(page, language);
+    await openReading(page);
+    // The popover is narrowed step by step, so that a line ends after each fact in turn.
+    const commas = await page.locator('.facts-read').evaluate((line: HTMLElement) => {
+      const found: number[] = [];
+      for (let narrow = 120; narrow <= 420; narrow += 4) {
+        line.style.inlineSize = `${narrow}px`;
+        for (const span of line.querySelectorAll('.fact')) {
+          const after = span.nextSibling;
+          const text = after?.textContent ?? '';
+          if (after === null || !/^[,，]/.test(text)) continue;
+          const range = document.createRange();
+          range.setStart(after, 0);
+          range.setEnd(after, 1);
+          const [comma, fact] = [range.getBoundingClientRect(), [...span.getClientRects()].at(-1)];
+          if (fact === undefined || comma.left < fact.right - 1 || comma.top > fact.bottom) found.push(narrow);
+        }
+      }
+      return found;
+    });
+    expect(commas, language).toEqual([]);
+    await page.goto('about:blank');
+  }
 });
 
 test('each value that depends on a setting links to its field', async ({ page }) => {

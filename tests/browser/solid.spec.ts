@@ -151,3 +151,51 @@ test('without WebGL the dialog shows a message, and loads nothing', async ({ pag
   await expect(dialog(page).getByText('WebGL is missing')).toBeVisible();
   expect(loaded.some((url) => url.includes('solid-view'))).toBe(false);
 });
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('the part is opened at the drawing, played in the dialog, and shows the tool', async ({ page }) => {
+    await open(page, '#s003-g71');
+    await expect(button(page)).toBeInViewport();
+    await button(page).tap();
+    await expect.poll(async () => (await seen(view(page))).share).toBeGreaterThan(0.05);
+    // A finger has neither a wheel nor keys.
+    await expect(dialog(page)).toContainText('one finger');
+    await expect(dialog(page)).not.toContainText(/wheel|arrow keys|F9|Ctrl/i);
+
+    const finished = await seen(view(page));
+    const playHere = dialog(page).getByRole('button', { name: 'Play' });
+    for (const control of [playHere, dialog(page).getByRole('button', { name: /^Next motion/ })]) {
+      const box = await control.boundingBox();
+      expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(44);
+    }
+    await dialog(page)
+      .getByRole('button', { name: /^Next motion/ })
+      .tap();
+    await expect.poll(async () => (await seen(view(page))).sum).not.toBe(finished.sum);
+    await playHere.tap();
+    await expect(dialog(page).getByRole('button', { name: 'Pause' })).toBeVisible();
+    await dialog(page).getByRole('button', { name: 'Pause' }).tap();
+    await expect(playHere).toBeVisible();
+  });
+});
+
+test('the tool is drawn at its position', async ({ page }) => {
+  // The tool moves along the finished part without a cut.
+  await open(page, '#s003-g71');
+  await type(
+    page,
+    '(STOCK D=40 LENGTH=60)\nT0101\nG97 S800 M03\nG00 X60 Z5\nG00 X42 Z2\nG00 Z-50\nG01 X40 F0.2\nG01 X42\nM30\n',
+  );
+  await expect(status(page)).toContainText('motions');
+  await button(page).click();
+  await expect.poll(async () => (await seen(view(page))).share).toBeGreaterThan(0.1);
+  const without = await seen(view(page));
+  const next = dialog(page).getByRole('button', { name: /^Next motion/ });
+  for (let motion = 0; motion < 2; motion += 1) await next.click();
+  await expect.poll(async () => (await seen(view(page))).sum).not.toBe(without.sum);
+  const right = await seen(view(page));
+  await next.click();
+  await expect.poll(async () => (await seen(view(page))).sum).not.toBe(right.sum);
+});

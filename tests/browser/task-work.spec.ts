@@ -2,7 +2,7 @@
 // not restored, and no stored value keeps the page from starting.
 import { expect, test, type BasicPage } from './engines';
 import { addInHiddenTab, items, kept, list, secondTab } from './own-programs';
-import { choose, editor, open, value } from './page';
+import { choose, drawing, editor, open, tab, value } from './page';
 
 interface Task {
   readonly sentence: string;
@@ -311,3 +311,30 @@ test('a database that does not respond delays the picture only briefly', async (
   await page.getByRole('button', { name: 'Bring it back' }).click();
   await isShown(page, first, done);
 });
+
+for (const viewport of [
+  { width: 1366, height: 768 },
+  { width: 1024, height: 600 },
+]) {
+  test(`the solution is shown beside the program, which keeps its size, ${viewport.width}`, async ({ page }) => {
+    await page.setViewportSize(viewport);
+    const begin = `O0003\n${'G01 X40 F0.2\nZ-20\n'.repeat(40)}M30\n`;
+    await openNewPage(page, linkTo({ sentence: 'Turn the shoulder', begin }));
+    const boxes = async (): Promise<readonly unknown[]> => [
+      await editor(page).boundingBox(),
+      await drawing(page).boundingBox(),
+    ];
+    const before = await boxes();
+    await page.getByRole('button', { name: 'Show solution' }).click();
+    const solution = page.getByRole('region', { name: 'Solution', exact: true });
+    await expect(solution).toContainText('(solved)');
+    expect(await boxes()).toEqual(before);
+    await expect(tab(page, 'program')).toBeHidden();
+    const [shown, picture] = [await solution.boundingBox(), await drawing(page).boundingBox()];
+    // The program stays in view, and the solution is inside the window.
+    expect(shown?.x).toBeGreaterThanOrEqual(picture?.x ?? Number.POSITIVE_INFINITY);
+    expect((shown?.y ?? 0) + (shown?.height ?? Number.NaN)).toBeLessThan(viewport.height);
+    await page.getByRole('button', { name: 'Hide solution' }).click();
+    await expect(solution).toBeHidden();
+  });
+}

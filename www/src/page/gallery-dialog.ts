@@ -50,7 +50,17 @@ export class GalleryDialog {
     this.#show();
     this.#dialog.show();
     this.#search.focus();
-    this.#list.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest' });
+    this.#scrollToCurrent();
+  }
+
+  /** Scrolls to the subject of the current example or, in a long subject, to its row: no card is cut at the top. */
+  #scrollToCurrent(): void {
+    const card = this.#list.querySelector('[aria-current]');
+    if (card === null) return;
+    const isInView = (): boolean => card.getBoundingClientRect().bottom <= this.#list.getBoundingClientRect().bottom;
+    this.#list.scrollTop = 0;
+    if (!isInView()) card.closest('section')?.scrollIntoView({ block: 'start' });
+    if (!isInView()) card.scrollIntoView({ block: 'start' });
   }
 
   #show(): void {

@@ -34,6 +34,7 @@ interface BarHost {
 export class LinkBar {
   readonly #text = make('p');
   readonly #buttons = make('div', { className: 'link-bar-actions' });
+  /** Over the picture, so that program and picture keep their size. */
   readonly #solution = make('div', { id: 'solution', hidden: true });
   /** Kept only while the page is open. */
   readonly #name = make('input', { type: 'text', id: 'hand-in-name', autocomplete: 'name', maxLength: NAME_LIMIT });
@@ -56,14 +57,7 @@ export class LinkBar {
     this.#message,
     this.#link,
   );
-  readonly #element = make(
-    'section',
-    { id: 'link-bar', hidden: true },
-    this.#text,
-    this.#handIn,
-    this.#buttons,
-    this.#solution,
-  );
+  readonly #element = make('section', { id: 'link-bar', hidden: true }, this.#text, this.#handIn, this.#buttons);
   readonly #host: BarHost;
   #content: BarContent | undefined;
   #language: Language = 'en';
@@ -72,7 +66,7 @@ export class LinkBar {
   /** Inserts the bar before `place`. */
   constructor(place: HTMLElement, host: BarHost) {
     this.#host = host;
-    place.before(this.#element);
+    place.before(this.#element, this.#solution);
     // Make the link early, so that it is usually ready at the click.
     for (const eventName of ['pointerenter', 'pointerdown', 'focus'])
       this.#copy.addEventListener(eventName, () => void this.#makeAnswerLink());
@@ -150,7 +144,7 @@ export class LinkBar {
     this.#solution.replaceChildren();
   }
 
-  /** Shows the solution as text under the task, with a separate link, so that the user's program stays in place. */
+  /** Shows the solution as text beside the user's program, with a separate link, so that the program stays in place. */
   #createSolutionButton(linked: Shared, language: Language): HTMLElement {
     const texts = LINK_WORDS[language];
     const button = this.#createButton(texts.showSolution, () => {
@@ -161,10 +155,8 @@ export class LinkBar {
       if (!isShown || this.#solution.childElementCount > 0) return;
       const text = linked.task?.solution ?? '';
       const solutionLink = make('a', { target: '_blank', rel: 'noopener' }, texts.openSolution);
-      this.#solution.append(
-        make('pre', { tabIndex: 0, role: 'region', 'aria-label': texts.solution, dir: 'ltr' }, text),
-        solutionLink,
-      );
+      const program = make('pre', { tabIndex: 0, dir: 'ltr' }, text);
+      this.#solution.append(make('div', { role: 'region', 'aria-label': texts.solution }, program, solutionLink));
       void makeLink({ ...linked, text, task: null, name: null }).then((made) => {
         if (made.kind === 'link') solutionLink.href = made.link;
       });

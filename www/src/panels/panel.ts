@@ -175,6 +175,8 @@ export interface Services {
   play(): void;
   pause(): void;
   playOrPause(): void;
+  /** Buttons to play and to step, for a dialog that covers the bar. */
+  playbackButtons(): HTMLElement;
   /** Moves the tool forward or back by one unit. */
   step(unit: StepUnit, direction: StepDirection): void;
   /** Moves the tool to the end of a motion. */
@@ -241,6 +243,8 @@ export interface Shell {
   /** The element that contains the panels of a region. */
   region(region: Region): HTMLElement;
   service<S extends keyof Services>(name: S): Services[S];
+  /** Whether a panel offers this service: the host page can leave out groups of panels. */
+  hasService(name: keyof Services): boolean;
 
   // ---- the worker: it receives all pending changes before each message ----
   send(command: Command): void;
@@ -272,6 +276,8 @@ export interface Shell {
   chooseStroke(stroke: Stroke, focus: 'focus' | 'keep-focus'): void;
   /** The user has chosen a problem: selects its word, and marks its block and its stroke. */
   chooseProblem(problem: Diagnostic): void;
+  /** Fits the pictures again: a presentation has begun or ended. */
+  refit(): void;
   /** Tells all panels where the tool is. */
   notifyToolMoved(place: Readout | undefined): void;
 

@@ -46,6 +46,29 @@ interface PendingAction {
   readonly startsPlayback: boolean;
 }
 
+/** Play, and a step back and forward. */
+class PlaybackButtons {
+  readonly play = make('button', { type: 'button', className: 'primary play', part: 'play' });
+  readonly previous = make('button', { type: 'button' }, icon('previous'));
+  readonly next = make('button', { type: 'button' }, icon('next'));
+  readonly #icon = make('span', { className: 'play-icon' });
+  readonly #text = make('span', { className: 'play-text' });
+
+  constructor() {
+    this.play.append(this.#icon, this.#text);
+  }
+
+  get all(): readonly HTMLButtonElement[] {
+    return [this.previous, this.play, this.next];
+  }
+
+  showPlay(text: string, shown: 'play' | 'pause'): void {
+    this.#icon.replaceChildren(icon(shown));
+    this.#text.textContent = text;
+    this.play.title = `${text} (Ctrl Enter)`;
+  }
+}
+
 export const playback: PanelKind = {
   control: 'playback',
   styles: playbackStyles,
@@ -56,11 +79,10 @@ class Playback implements Panel {
   readonly #shell: Shell;
   readonly #row: HTMLElement;
   readonly #seek: NewestQuestion<'seek'>;
-  readonly #play = make('button', { type: 'button', className: 'primary play', part: 'play' });
-  readonly #playIcon = make('span', { className: 'play-icon' });
-  readonly #playText = make('span', { className: 'play-text' });
-  readonly #previousButton = make('button', { type: 'button' }, icon('previous'));
-  readonly #nextButton = make('button', { type: 'button' }, icon('next'));
+  readonly #buttons = new PlaybackButtons();
+  readonly #play = this.#buttons.play;
+  /** The buttons of the bar and of dialogs. */
+  readonly #buttonSets: PlaybackButtons[] = [this.#buttons];
   readonly #fromCursor = make('button', { type: 'button' }, icon('from-here'));
   readonly #stepUnit = make('select', { className: 'speed unit' });
   readonly #wholePath = make('button', { type: 'button' }, icon('whole'));
@@ -112,6 +134,7 @@ class Playback implements Panel {
     play: () => this.#startWhenReady({}),
     pause: () => this.#stop(),
     playOrPause: () => this.#togglePlayback(),
+    playbackButtons: () => this.#makeButtons(),
     step: (unit, direction) => this.#stepTool(unit, direction),
     goTo: (motion) => this.#moveTool(this.#shell.ask('go-to', { motion })),
     goToBlock: (offset) => this.#moveTool(this.#shell.ask('seek-block', { offset })),
@@ -125,7 +148,6 @@ class Playback implements Panel {
     this.#row = shell.region('playback');
     this.#seek = shell.newest('seek', (place) => this.#showTool(place));
     this.#readout = new ReadoutBoard(shell.language);
-    this.#play.append(this.#playIcon, this.#playText);
     this.#speed.append(
       ...this.#wholeProgramOptions,
       ...SPEED_FACTORS.map((speed) => make('option', { value: `times ${speed}` }, `${speed}×`)),
@@ -147,7 +169,7 @@ class Playback implements Panel {
       this.#paceButton.setAttribute('aria-expanded', String(open));
       if (open) placePopover(this.#paceButton, options);
     });
-    const bar = [this.#previousButton, this.#play, this.#nextButton, this.#slider, this.#paceButton];
+    const bar = [...this.#buttons.all, this.#slider, this.#paceButton];
     const overPicture = make(
       'div',
       { className: 'over-picture', part: 'doing' },
@@ -157,14 +179,12 @@ class Playback implements Panel {
     );
     this.#overPicture = overPicture;
     this.elements = { playback: bar, pictures: [overPicture], dialogs: [options] };
-    this.#play.addEventListener('click', () => this.#togglePlayback());
+    this.#listenTo(this.#buttons);
     this.#fromCursor.hidden = !shell.showsProgram;
     this.#fromCursor.addEventListener('click', () => {
       options.hidePopover();
       this.#playFromHere({});
     });
-    this.#previousButton.addEventListener('click', () => this.#stepTool(this.#chosenUnit, 'previous'));
-    this.#nextButton.addEventListener('click', () => this.#stepTool(this.#chosenUnit, 'next'));
     this.#stepUnit.addEventListener('change', () => this.#nameStepButtons());
     this.#speed.addEventListener('change', () => this.#showPace());
     this.#wholePath.addEventListener('click', () => this.#showWholePath());
@@ -269,9 +289,7 @@ class Playback implements Panel {
   #onNewPath(motions: number, optionalStops: number): void {
     this.#stopTicking();
     for (const control of [
-      this.#play,
-      this.#previousButton,
-      this.#nextButton,
+      ...this.#buttonSets.flatMap((buttons) => buttons.all),
       this.#fromCursor,
       this.#slider,
       this.#singleBlockToggle,
@@ -497,11 +515,29 @@ class Playback implements Panel {
     return STEP_UNITS.find((unit) => unit === this.#stepUnit.value) ?? 'motion';
   }
 
+  #listenTo({ play, previous, next }: PlaybackButtons): void {
+    play.addEventListener('click', () => this.#togglePlayback());
+    previous.addEventListener('click', () => this.#stepTool(this.#chosenUnit, 'previous'));
+    next.addEventListener('click', () => this.#stepTool(this.#chosenUnit, 'next'));
+  }
+
+  #makeButtons(): HTMLElement {
+    const buttons = new PlaybackButtons();
+    this.#listenTo(buttons);
+    this.#buttonSets.push(buttons);
+    for (const button of buttons.all) button.disabled = this.#play.disabled;
+    this.#nameStepButtons();
+    this.#showState();
+    return make('div', { className: 'playback-buttons' }, ...buttons.all);
+  }
+
   #nameStepButtons(): void {
     const key = { motion: 'F9', block: 'Ctrl F9', pass: 'Alt F9' }[this.#chosenUnit];
     const texts = this.#words;
-    setAccessibleName(this.#previousButton, `${texts.previous[this.#chosenUnit]} (Shift ${key})`);
-    setAccessibleName(this.#nextButton, `${texts.next[this.#chosenUnit]} (${key})`);
+    for (const { previous, next } of this.#buttonSets) {
+      setAccessibleName(previous, `${texts.previous[this.#chosenUnit]} (Shift ${key})`);
+      setAccessibleName(next, `${texts.next[this.#chosenUnit]} (${key})`);
+    }
   }
 
   #showStatus(): void {
@@ -520,9 +556,7 @@ class Playback implements Panel {
   #showState(): void {
     const isActive = this.#playing || this.#pendingAction?.startsPlayback === true;
     const text = isActive ? this.#words.pause : this.#words.play;
-    this.#playIcon.replaceChildren(icon(isActive ? 'pause' : 'play'));
-    this.#playText.textContent = text;
-    this.#play.title = `${text} (Ctrl Enter)`;
+    for (const buttons of this.#buttonSets) buttons.showPlay(text, isActive ? 'pause' : 'play');
     this.#status.setAttribute('aria-live', this.#playing ? 'off' : 'polite');
   }
 }

@@ -96,7 +96,11 @@ class ReadAsChip implements Panel {
     const shown = JSON.stringify([this.#shell.language, facts, facts.length === 0 ? placeholder : '']);
     if (shown === this.#renderedKey) return;
     this.#renderedKey = shown;
-    const list = facts.flatMap((fact, at) => [at === 0 ? ' ' : texts.comma, this.#renderFact(fact)]);
+    // A line never begins with a comma.
+    const list = facts.flatMap((fact, at) => {
+      const comma = at === facts.length - 1 ? '' : texts.comma;
+      return [at === 0 ? ' ' : texts.gap, make('span', { className: 'fact-and-comma' }, this.#renderFact(fact), comma)];
+    });
     this.#facts.replaceChildren(facts.length === 0 ? placeholder : texts.readAs, ...list);
     const summary = facts.length === 0 ? placeholder : facts.map(({ text }) => text).join(' · ');
     this.#summary.textContent = summary;
@@ -131,7 +135,9 @@ const WORDS = words({
     readAs: 'Read as',
     reading: 'Reading …',
     notRead: 'Not read',
-    comma: ', ',
+    comma: ',',
+    /** After the comma. */
+    gap: ' ',
     /** Recognised from the program. */
     recognised: (fact: string) => `${fact} (recognised)`,
     /** Given by the setup. */
@@ -144,6 +150,7 @@ const WORDS = words({
     reading: '正在读取……',
     notRead: '未读取',
     comma: '，',
+    gap: '',
     recognised: (fact) => `${fact}（识别）`,
     set: (fact) => `${fact}（设定）`,
     change: '更改…',
@@ -153,7 +160,8 @@ const WORDS = words({
     readAs: 'Прочитано как',
     reading: 'Чтение …',
     notRead: 'Не прочитано',
-    comma: ', ',
+    comma: ',',
+    gap: ' ',
     recognised: (fact) => `${fact} (распознано)`,
     set: (fact) => `${fact} (задано)`,
     change: 'Изменить…',

@@ -1,12 +1,14 @@
-// The turned body on a WebGL canvas, drawn only if something has moved.
+// The turned body and the tool on a WebGL canvas, drawn only if something has moved.
 //
-// In: a canvas with its context, the section. Out: pixels. Turned and zoomed by mouse, finger and keyboard. Loaded on
+// In: a canvas with its context, the section, the tip of the tool. Out: pixels. Turned and zoomed by mouse, finger and keyboard. Loaded on
 // demand together with three.js. Must not know: where the section comes from.
 
 import {
+  BoxGeometry,
   BufferAttribute,
   BufferGeometry,
   Color,
+  ConeGeometry,
   CylinderGeometry,
   DirectionalLight,
   DoubleSide,
@@ -45,6 +47,8 @@ const CENTER_LINE_OVERHANG = 0.08;
 /** Brightness of a hole, as a fraction of that of the surface. */
 const HOLE_BRIGHTNESS = 0.22;
 const HOLE_SEGMENTS = 32;
+/** Height of the insert of the tool, as a fraction of the larger of radius and half length of the part. */
+const INSERT_SIZE = 0.16;
 /** The quarter that is cut away: above the axis and towards the viewer. */
 const CLIPPING_PLANES = [new Plane(new Vector3(0, -1, 0)), new Plane(new Vector3(0, 0, -1))];
 
@@ -95,6 +99,10 @@ export class SolidView {
     uniforms: { ground: { value: new Color() }, lines: { value: new Color() }, spacing: { value: 1 } },
   });
   readonly #holes = new Group();
+  /** An insert with its shank; the tip is at the origin. */
+  readonly #tool = new Group();
+  readonly #toolSurface = new MeshPhongMaterial({ flatShading: true });
+  #tip: Corner | undefined;
   readonly #hole = new MeshBasicMaterial({ clippingPlanes: CLIPPING_PLANES, clipIntersection: true });
   readonly #holeInCut = new MeshBasicMaterial({ side: DoubleSide });
   readonly #edge = new LineBasicMaterial();
@@ -117,7 +125,7 @@ export class SolidView {
     this.#renderer.localClippingEnabled = true;
     this.#light.position.set(-0.6, 1, 0.9);
     this.#camera.add(this.#light);
-    this.#scene.add(this.#ambientLight, this.#camera, this.#body, this.#holes);
+    this.#scene.add(this.#ambientLight, this.#camera, this.#body, this.#holes, this.#tool);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener('change', () => this.#scheduleFrame());
     canvas.addEventListener('keydown', (event) => this.#handleKey(event));
@@ -135,6 +143,13 @@ export class SolidView {
     this.#scheduleFrame();
   }
 
+  /** The tip of the tool, mm; undefined: no tool is shown. */
+  set tool(tip: Corner | undefined) {
+    this.#tip = tip;
+    this.#placeTool();
+    this.#scheduleFrame();
+  }
+
   set section(pieces: readonly SectionPiece[]) {
     clear(this.#body);
     const corners = pieces.flatMap(outlinesOf).flat();
@@ -143,6 +158,7 @@ export class SolidView {
       // The view keeps the user's orientation while the part changes.
       if (this.#extents === undefined) {
         this.#extents = extentsOf(corners);
+        this.#buildTool(INSERT_SIZE * Math.max(this.#extents.half, this.#extents.radius));
         this.reset();
       }
     }
@@ -175,8 +191,9 @@ export class SolidView {
     this.#controls.dispose();
     clear(this.#body);
     clear(this.#holes);
-    for (const material of [this.#surface, this.#hatch, this.#hole, this.#holeInCut, this.#edge, this.#axis])
-      material.dispose();
+    clear(this.#tool);
+    const materials = [this.#surface, this.#hatch, this.#hole, this.#holeInCut, this.#edge, this.#axis];
+    for (const material of [...materials, this.#toolSurface]) material.dispose();
     this.#renderer.dispose();
     this.#renderer.forceContextLoss();
     this.canvas.remove();
@@ -201,6 +218,21 @@ export class SolidView {
       new LineSegments(lines, this.#edge),
       this.#centerLine(middle, half * (1 + 2 * CENTER_LINE_OVERHANG), size),
     );
+  }
+
+  /** `size`: height of the insert, mm. */
+  #buildTool(size: number): void {
+    // Four sides, upside down.
+    const insert = new ConeGeometry(size / 2, size, 4).rotateX(Math.PI).translate(0, size / 2, 0);
+    const shank = new BoxGeometry(size / 2, 2 * size, size / 2).translate(0, 2 * size, 0);
+    this.#tool.add(new Mesh(insert, this.#toolSurface), new Mesh(shank, this.#toolSurface));
+    this.#placeTool();
+  }
+
+  #placeTool(): void {
+    const tip = this.#tip;
+    this.#tool.visible = tip !== undefined;
+    if (tip !== undefined) this.#tool.position.set(tip.z, tip.r, 0);
   }
 
   /** Long and short dashes in turn, as in drawings; each is a separate line. */
@@ -286,6 +318,7 @@ export class SolidView {
       material.color = colour('solid').multiplyScalar(HOLE_BRIGHTNESS);
     this.#hatch.uniforms['ground'] = { value: colour('part') };
     this.#hatch.uniforms['lines'] = { value: colour('part-edge') };
+    this.#toolSurface.color = colour('tool');
     this.#edge.color = colour('ink');
     this.#axis.color = colour('axis');
   }

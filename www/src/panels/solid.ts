@@ -1,6 +1,6 @@
-// The button "3D" and its dialog: the part as a turned body with a quarter cut away.
+// The button "3D" and its dialog: the part as a turned body with a quarter cut away, the tool, and buttons to play.
 //
-// In: the half-section and the holes of live tools at the playback position, updated as it moves.
+// In: the half-section, the holes of live tools and the position of the tool, updated as the tool moves.
 // The view is loaded when the dialog is first opened, and freed when it is closed.
 // Must not know: how the part was computed, or how a body is drawn.
 
@@ -9,7 +9,7 @@ import { make, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { importWithRetry, whenOnline } from '../dom/network';
 import { COMMON, words } from '../dom/words';
-import type { DrilledHole, SectionPiece } from '../protocol/protocol';
+import type { DrilledHole, Readout, SectionPiece } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
 import type { NewestQuestion, Panel, PanelKind, Shell } from './panel';
 import type { SolidView } from './solid-view';
@@ -32,9 +32,11 @@ class Solid implements Panel {
   readonly #message = make('p', { className: 'empty', role: 'status' });
   readonly #reset = make('button', { type: 'button', className: 'framed' });
   readonly #retry = make('button', { type: 'button', className: 'framed', hidden: true });
-  readonly #dialog = new Dialog('solid', [this.#container], [this.#reset]);
+  readonly #playback = make('div');
+  readonly #dialog = new Dialog('solid', [this.#container], [this.#playback, this.#reset]);
   #section: readonly SectionPiece[] | undefined;
   #holes: readonly DrilledHole[] = [];
+  #place: Readout | undefined;
   #view: SolidView | undefined;
   #shownMessage: Message | undefined;
   #cancelRetry: (() => void) | undefined;
@@ -66,11 +68,14 @@ class Solid implements Panel {
     this.#button.textContent = strings.solid;
     setAccessibleName(this.#button, `${strings.solid}: ${strings.solidHint}`);
     this.#dialog.setTexts(strings.solidTitle, COMMON[language].close);
-    this.#dialog.about = strings.solidAbout;
+    this.#dialog.about = matchMedia('(pointer: coarse)').matches ? strings.solidAboutTouch : strings.solidAbout;
     this.#reset.textContent = strings.solidReset;
     this.#retry.textContent = strings.solidRetry;
     this.#view?.canvas.setAttribute('aria-label', strings.solidView);
     this.#showMessage(this.#shownMessage);
+    // The language is first set after all panels are made, so the services of other panels exist.
+    if (this.#playback.childElementCount === 0 && this.#shell.hasService('playbackButtons'))
+      this.#playback.append(this.#shell.service('playbackButtons')());
   }
 
   /** Whether there is a finished run that may have produced a part. */
@@ -82,7 +87,9 @@ class Solid implements Panel {
     if (event.kind === 'report') this.#ask();
   }
 
-  onToolMoved(): void {
+  onToolMoved(place: Readout | undefined): void {
+    this.#place = place;
+    this.#showTool();
     this.#ask();
   }
 
@@ -124,8 +131,15 @@ class Solid implements Panel {
     }
     this.#container.prepend(canvas);
     this.#view = new part.SolidView(canvas, context);
+    this.#showTool();
     this.#showSection();
     canvas.focus();
+  }
+
+  #showTool(): void {
+    const stroke = this.#place?.stroke;
+    if (this.#view !== undefined)
+      this.#view.tool = stroke === undefined ? undefined : { z: stroke.atZ, r: stroke.atX / 2 };
   }
 
   #showSection(): void {
@@ -167,6 +181,7 @@ const WORDS = words({
     solidTitle: 'The part, a quarter cut away',
     solidAbout:
       'Drag or arrow keys turn it, wheel or + and − zoom, Home resets the view. Ctrl Enter plays the program, F9 steps.',
+    solidAboutTouch: 'Drag with one finger to turn the part, and spread two fingers to zoom.',
     /** For screen readers. */
     solidView: 'The turned part in three dimensions. Arrow keys turn it, plus and minus zoom, Home resets the view.',
     solidLoading: 'Loading …',
@@ -182,6 +197,7 @@ const WORDS = words({
     solidHint: '以剖去四分之一的实体显示零件',
     solidTitle: '零件（剖去四分之一）',
     solidAbout: '拖动或方向键旋转，滚轮或 + − 缩放，Home 键恢复初始视角。Ctrl Enter 播放程序，F9 单步。',
+    solidAboutTouch: '单指拖动旋转零件，双指张合缩放。',
     solidView: '车削零件的三维视图。方向键旋转，加号和减号缩放，Home 键恢复初始视角。',
     solidLoading: '正在加载……',
     solidNoNetwork: '三维视图无法加载：没有网络。网络恢复后会自动加载。',
@@ -196,6 +212,7 @@ const WORDS = words({
     solidTitle: 'Деталь с вырезом четверти',
     solidAbout:
       'Перетаскивание и стрелки поворачивают, колесо или + и − меняют масштаб, Home сбрасывает вид. Ctrl Enter запускает программу, F9 — один шаг.',
+    solidAboutTouch: 'Одним пальцем деталь поворачивают, двумя меняют масштаб.',
     solidView:
       'Точёная деталь в трёх измерениях. Стрелки поворачивают её, плюс и минус меняют масштаб, Home сбрасывает вид.',
     solidLoading: 'Загрузка …',

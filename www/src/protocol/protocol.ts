@@ -133,7 +133,7 @@ export type Command =
   /** Lines, from 0, end exclusive, whose strokes are highlighted while no block is selected. */
   | { readonly kind: 'mark'; readonly lines: readonly { readonly firstLine: number; readonly endLine: number }[] }
   /** What a picture is fitted to; undefined: the default. */
-  | { readonly kind: 'frame'; readonly frame: 'part' | 'path' | undefined }
+  | { readonly kind: 'frame'; readonly frame: 'cuts' | 'part' | 'path' | undefined }
   /** Undefined: the side in the setup. */
   | { readonly kind: 'turret'; readonly side: TurretSide | undefined }
   /** Stores the part, so that later ones are drawn over it. */
@@ -295,7 +295,7 @@ export interface Questions {
 }
 
 /** The part of the page that asks for help: a newer question replaces its last one. */
-export type HelpClient = 'pointer' | 'cursor' | 'completion' | 'drawing' | 'motions';
+export type HelpClient = 'pointer' | 'cursor' | 'completion' | 'drawing' | 'motions' | 'presentation';
 
 /**
  * The kind of help: for the word at an offset, for its block (at one of the times it is executed, or the usual one),

@@ -322,14 +322,24 @@ export class PlaygroundShell implements Shell {
     this.#showCaption();
   }
 
+  refit(): void {
+    this.#sendFrame((command) => this.send(command));
+  }
+
   #sendAuthorAttributes(send: (command: Command) => void): void {
-    const { highlight, fit, turret } = this.#host;
+    const { highlight, turret } = this.#host;
     send({
       kind: 'mark',
       lines: parseLines(highlight).map(({ first, last }) => ({ firstLine: first - 1, endLine: last })),
     });
-    send({ kind: 'frame', frame: oneOf(FRAMES, fit) });
+    this.#sendFrame(send);
     send({ kind: 'turret', side: oneOf(SIDES, turret) });
+  }
+
+  #sendFrame(send: (command: Command) => void): void {
+    // A presentation shows the cuts as large as possible.
+    const presented = this.frame.dataset['presenting'] === undefined ? undefined : 'cuts';
+    send({ kind: 'frame', frame: oneOf(FRAMES, this.#host.fit) ?? presented });
   }
 
   #showCaption(): void {
@@ -469,6 +479,10 @@ export class PlaygroundShell implements Shell {
     const service = this.#services[name];
     if (service === undefined) throw new Error(`view="${this.view}" does not offer ${name}`);
     return service;
+  }
+
+  hasService(name: keyof Services): boolean {
+    return this.#services[name] !== undefined;
   }
 
   send(command: Command): void {
