@@ -342,7 +342,7 @@ pub struct Process {
     /// Offset from programmed to workpiece coordinates, mm; zero if unknown. See [`Motion::on_workpiece`].
     pub zero: Point,
     /// Position of the tip minus the programmed position, mm, X as a radius: the wear of the tool offset in
-    /// force, and what the program has changed in it. See [`Motion::at_tip`].
+    /// force, and changes of that offset by the program. See [`Motion::at_tip`].
     pub tip_shift: Point,
 }
 

@@ -391,6 +391,7 @@ entry! { Early install_early {
     crate::control::interpreter::path::install();
     crate::control::interpreter::read_words::install();
     crate::control::interpreter::y_axis::install();
+    crate::control::tool_offset::install();
     crate::message::levels::install();
     crate::provenance::install();
     crate::run::repeated::install();

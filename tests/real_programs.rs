@@ -81,7 +81,7 @@ fn inch_programs_are_told_of_in_inches() {
             "G1 X1. F.01\nG2 X2. Z-1. R.1\n",
             "`R.1` is too small: start and end of the arc are 1.2083 in apart.",
         ),
-        ("G90 X1.5 Z-1. R.5 F.01\n", "`R.5` is larger than half of `U-0.5`"),
+        ("G90 X1.5 Z-1. R.5 F.01\n", "`R.5` is larger than half of the infeed (U-0.5)"),
         ("G71 U.1 R.25\n", "The escape `R.25` is larger than the depth of cut, 0.1 in."),
         (
             "G1 X1. F.01\nZ-1.\nX1.2\nX1.3\nG1 Z-90.\n",

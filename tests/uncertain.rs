@@ -335,3 +335,15 @@ fn an_error_in_a_contour_is_the_only_one_of_its_cycle() {
         assert!(motions(&analysis).contains("F?(30,-5) F?(44,-5) R?(44,2) R(50,2)"), "{program}");
     }
 }
+
+/// The block without F is not carried out, so the arc begins elsewhere, and its radius says nothing.
+#[test]
+fn an_arc_from_an_unknown_place_has_no_message() {
+    for arc in ["G03 X11 W-5.5 R5.5", "G03 X11 W-5.5 K-5.5"] {
+        let program = format!("T0101\nG98 G97 S800 M03\nG01 X0\n{arc} F100\nG01 W-10\nM30\n");
+        let analysis = run("{}", &program);
+        let codes = codes(&analysis);
+        assert!(codes.contains(&"feed-missing"), "{arc}: {codes:?}");
+        assert!(codes.iter().all(|code| !code.starts_with("arc-")), "{arc}: {codes:?}");
+    }
+}

@@ -50,7 +50,7 @@ pub struct Readout {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub rpm: Option<f64>,
-    /// Cutting speed at the tip, m/min.
+    /// Cutting speed at the tip, m/min; omitted if the motion does not cut.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub surface_speed: Option<f64>,
@@ -145,7 +145,9 @@ impl Readout {
             feed_per_turn: per_turn(&motion).map(rounded),
             locked: motion.kind == MotionKind::Thread,
             rpm: if motion.process.turn != SpindleTurn::Stopped { rpm.map(rounded) } else { Some(0.0) },
-            surface_speed: rpm.map(|rpm| rounded(timing::surface_speed(rpm, radius))),
+            surface_speed: rpm
+                .filter(|_| motion.kind.cuts())
+                .map(|rpm| rounded(timing::surface_speed(rpm, radius))),
             elapsed: Time::new(&reading.time),
             total: Time::new(&whole.time),
             tool: tool_name(motion.process.tool),

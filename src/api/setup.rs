@@ -205,7 +205,7 @@ impl SetupOverview {
             kind: labels::tool_kind(tool.tool.kind.unwrap_or(ToolKind::Turning), language).into(),
             known: name(tool.basis),
         });
-        let start = (!motions.is_empty()).then(|| motions.get(0).from);
+        let start = (!motions.is_empty()).then(|| motions.get(0).at_tip().from);
         Self {
             stock: resolved.stock().map(|stock| name(stock.1)),
             blank: resolved.stock().map(|(stock, _)| [stock.diameter.mm(), stock.length].map(to_micrometres)),

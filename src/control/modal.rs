@@ -659,7 +659,7 @@ impl State {
 
     /// Whether the next motion may differ from the motion that this state gives.
     #[cold]
-    fn is_path_doubtful(&self) -> bool {
+    pub fn is_path_doubtful(&self) -> bool {
         const PATH: Doubts = Doubts::of(&[Doubt::X, Doubt::Z, Doubt::Y, Doubt::Path, Doubt::Coordinates]);
         self.doubts.has_any(PATH) || (self.virtual_plane.is_some() && self.doubts.has(Doubt::C))
     }

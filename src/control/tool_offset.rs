@@ -4,54 +4,63 @@
 
 use super::compensation::Nose;
 use super::modal::State;
-use super::offsets::Column;
+use super::offsets::{Column, Setting};
 use crate::geometry::Point;
-use crate::parts::early;
+use crate::parts::{Part, early};
 use crate::setup::{DescribedNose, Setup, Tool};
 use crate::units::Diameter;
 
+/// The part of the module that reads and writes the values of offsets.
+pub const OFFSETS: Part = Part::Early;
+
 early! {
-    fn shift(state: &State, setup: &Setup) -> Point {
-        tip_shift(state, setup)
+    /// Position of the tip minus the programmed position with the offset in force, mm, X as a radius.
+    ///
+    /// Coordinates are positions of the tip, so the length of a tool (the geometry X and Z of the setup)
+    /// moves nothing. Wear does, and so does a change of the geometry by the program. Offset 00 cancels both.
+    pub fn tip_shift(state: &State, setup: &Setup) -> Point {
+        let (station, offset) = state.tool;
+        if offset == 0 {
+            return Point::default();
+        }
+        let tool = tool_of(setup, station, offset);
+        let written = |column| state.offsets.tip_shift(offset, column);
+        let along = |wear, given: Option<f64>, geometry| {
+            written(wear).or(given).unwrap_or(0.0) + written(geometry).unwrap_or(0.0)
+        };
+        let wear_x = tool.and_then(|tool| tool.wear_x).map(Diameter::mm);
+        Point::new(
+            Diameter::new(along(Column::WearX, wear_x, Column::X)).radius(),
+            along(Column::WearZ, tool.and_then(|tool| tool.wear_z), Column::Z),
+        )
     }
-}
 
-/// Position of the tip minus the programmed position with the offset in force, mm, X as a radius.
-///
-/// Coordinates are positions of the tip, so the length of a tool (the geometry X and Z of the setup) moves
-/// nothing. Wear does, and so does a change of the geometry by the program. Offset 00 cancels both.
-#[inline]
-pub fn tip_shift_in_force(state: &State, setup: &Setup) -> Point {
-    if setup.tools.is_empty() && state.offsets.is_empty() { Point::default() } else { shift(state, setup) }
-}
-
-fn tip_shift(state: &State, setup: &Setup) -> Point {
-    let (station, offset) = state.tool;
-    if offset == 0 {
-        return Point::default();
+    /// A column of a tool offset, mm (X values as diameters, as in the table): as written by the program,
+    /// otherwise as in the setup.
+    pub fn value(state: &State, setup: &Setup, offset: u16, column: Column) -> f64 {
+        let of_setup = || setup_offset(setup, state.tool.0, offset, column);
+        state.offsets.get(offset, column).or_else(of_setup).unwrap_or(0.0)
     }
-    let tool = tool_of(setup, station, offset);
-    let written = |column| state.offsets.tip_shift(offset, column);
-    let along = |wear, given: Option<f64>, geometry| {
-        written(wear).or(given).unwrap_or(0.0) + written(geometry).unwrap_or(0.0)
-    };
-    let wear_x = tool.and_then(|tool| tool.wear_x).map(Diameter::mm);
-    Point::new(
-        Diameter::new(along(Column::WearX, wear_x, Column::X)).radius(),
-        along(Column::WearZ, tool.and_then(|tool| tool.wear_z), Column::Z),
-    )
-}
 
-/// The tool with an offset: that of the station, or else any tool with this offset number, because the table
-/// of the control has one row for each number.
-fn tool_of(setup: &Setup, station: u16, offset: u16) -> Option<&Tool> {
-    let ends = |key: &str| key.len() == 5 && key.is_ascii() && key[3..].parse() == Ok(offset);
-    let own = setup.tool((station, offset));
-    own.or_else(|| setup.tools.iter().find(|(key, _)| ends(key)).map(|(_, tool)| tool))
+    /// Writes a column of a tool offset, mm.
+    pub fn write(
+        state: &mut State,
+        setup: &Setup,
+        entry: (u16, Column),
+        value: f64,
+        setting: Setting,
+    ) {
+        let (offset, column) = entry;
+        let length = match column {
+            Column::X | Column::Z => setup_offset(setup, state.tool.0, offset, column),
+            _ => None,
+        };
+        state.offsets.set(offset, column, value, length, setting);
+    }
 }
 
 /// A tool offset of the setup, mm (X values as diameters, as in the table).
-pub fn setup_offset(setup: &Setup, station: u16, offset: u16, column: Column) -> Option<f64> {
+fn setup_offset(setup: &Setup, station: u16, offset: u16, column: Column) -> Option<f64> {
     let tool = tool_of(setup, station, offset)?;
     match column {
         Column::WearX => tool.wear_x.map(Diameter::mm),
@@ -62,6 +71,14 @@ pub fn setup_offset(setup: &Setup, station: u16, offset: u16, column: Column) ->
         Column::Radius => Some(tool.compensation_radius()),
         Column::Tip => Some(f64::from(tool.tip_direction())),
     }
+}
+
+/// The tool with an offset: that of the station, or else any tool with this offset number, because the table
+/// of the control has one row for each number.
+fn tool_of(setup: &Setup, station: u16, offset: u16) -> Option<&Tool> {
+    let ends = |key: &str| key.len() == 5 && key.is_ascii() && key[3..].parse() == Ok(offset);
+    let own = setup.tool((station, offset));
+    own.or_else(|| setup.tools.iter().find(|(key, _)| ends(key)).map(|(_, tool)| tool))
 }
 
 /// Radius (mm; negative if the offset reverses the side of compensation) and tip direction of the offset in

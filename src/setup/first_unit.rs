@@ -1,4 +1,4 @@
-//! The unit that a program selects first. Comments at its head have no unit of their own.
+//! The unit that a program selects first. Sizes in comments at its head are in this unit.
 
 use crate::units::Unit;
 

@@ -381,6 +381,7 @@ impl<'a> Parser<'a> {
     fn offer_addresses(&self, block: &mut Block) {
         let Block { faults, words, .. } = block;
         for fault in faults {
+            let mut joined = None;
             let (number, at) = if fault.message.is::<said::AddressMissing>() {
                 (short_quote(self.lexer.text(), fault.span), fault.span.start)
             } else if fault.message.is::<said::BlankInNumber>() {
@@ -388,7 +389,7 @@ impl<'a> Parser<'a> {
                 let written = fault.span.quote(self.lexer.text());
                 let Some(blank) = written.find([' ', '\t']) else { continue };
                 let second = written.get(blank..).unwrap_or_default().trim_start();
-                fault.fixes.push(Fix::write(fault.span, without_blanks(&written)));
+                joined = Some(Fix::write(fault.span, without_blanks(&written)));
                 (second.to_owned(), fault.span.end - second.len() as u32)
             } else {
                 continue;
@@ -396,6 +397,7 @@ impl<'a> Parser<'a> {
             let place = Span { start: at, end: at };
             let letters = lost_letter::candidates(&number, place, words);
             fault.fixes.extend(letters.into_iter().map(|letter| Fix::insert(at, letter.to_string())));
+            fault.fixes.extend(joined);
         }
     }
 

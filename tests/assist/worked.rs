@@ -97,14 +97,14 @@ fn the_state_under_g121_is_in_the_words_of_the_program() {
 #[test]
 fn the_sentence_under_g121_is_of_the_block_itself() {
     let mut square = square();
-    assert_eq!(square.explanation(9), "Cuts straight from X80 C0 to X50 C0: 15 mm. At 100 mm/min, in 3 s.");
+    assert_eq!(square.explanation(9), "Cuts straight from X80 C0 to X50 C0: 15 mm. Time 3 s at 100 mm/min.");
     assert_eq!(
         square.explanation(10),
-        "Cuts straight from X50 C0 to X50 C25: 25 mm. Turns C to 45°. At 100 mm/min, in 21 s."
+        "Cuts straight from X50 C0 to X50 C25: 25 mm. Turns C to 45°. Time 21 s at 100 mm/min."
     );
     assert_eq!(
         square.explanation(11),
-        "Cuts straight from X50 C25 to X-50 C25: 50 mm. Turns C to 135°. At 100 mm/min, in 42 s."
+        "Cuts straight from X50 C25 to X-50 C25: 50 mm. Turns C to 135°. Time 42 s at 100 mm/min."
     );
     assert_eq!(square.letters(10), ["X/U", "C/H", "F"]);
 }

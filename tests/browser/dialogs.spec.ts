@@ -89,7 +89,7 @@ async function shapeOf(dialog: Locator): Promise<Shape> {
   return dialog.evaluate((element) => {
     const isShown = (each: Element): boolean => each.checkVisibility({ visibilityProperty: true });
     const box = element.getBoundingClientRect();
-    const buttons = [...element.querySelectorAll(':scope > .actions button')].filter(isShown);
+    const buttons = [...element.querySelectorAll(':scope > .actions > button')].filter(isShown);
     const body = element.querySelector('.dialog-body, .scroller');
     const last = [...(body?.children ?? [])].filter(isShown).at(-1);
     return {

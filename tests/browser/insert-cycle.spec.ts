@@ -45,7 +45,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
       .locator('.cycle-code')
       .evaluateAll((codes) => codes.map(({ textContent }) => textContent));
     expect(codes.toSorted()).toEqual(['G71', 'G72', 'G73', 'G74', 'G75', 'G76', 'G83', 'G90', 'G92', 'G94']);
-    expect(await chooser(page).getByRole('button').locator('svg').count()).toBe(codes.length);
+    expect(await chooser(page).getByRole('listitem').locator('svg').count()).toBe(codes.length);
     await expect(card(page, 'G71')).toContainText(name);
     await card(page, 'G71').click();
     await expect(chooser(page)).toBeHidden();
@@ -134,7 +134,7 @@ test('it is offered only in a blank line, and Escape inserts nothing', async ({ 
   await page.keyboard.press('Backspace');
   await page.keyboard.press('Backspace');
   await insert(page).click();
-  await expect(chooser(page).getByRole('button').first()).toBeFocused();
+  await expect(chooser(page).getByRole('listitem').getByRole('button').first()).toBeFocused();
   await page.keyboard.press('Escape');
   await expect(chooser(page)).toBeHidden();
   expect(await value(page)).toBe(`${HEAD}\nG00 X60\nM30\n`);
@@ -149,9 +149,9 @@ test('an empty program offers it, too, and the palette has it in a blank line', 
   await page.keyboard.insertText('insert cycle');
   await page.keyboard.press('Enter');
   // By keys alone: the arrow keys move between the cards.
-  await expect(chooser(page).getByRole('button').first()).toBeFocused();
+  await expect(chooser(page).getByRole('listitem').getByRole('button').first()).toBeFocused();
   await page.keyboard.press('ArrowRight');
-  await expect(chooser(page).getByRole('button').nth(1)).toBeFocused();
+  await expect(chooser(page).getByRole('listitem').getByRole('button').nth(1)).toBeFocused();
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('Enter');
   await expect.poll(() => value(page)).toMatch(/^G71 U/);

@@ -118,7 +118,7 @@ test('killing a tab or a browser during typing loses at most the last second', {
   const profile = await mkdtemp(join(tmpdir(), 'killed-'));
   const address = new URL('./', baseURL).href;
   let running = await start(profile, launchOptions);
-  let before = program('s000-o0002');
+  let before = program('s001-o0001');
   try {
     for (let kill = 0; kill < KILLS; kill++) {
       const { page } = running;

@@ -95,6 +95,7 @@ test('every built page has a policy before its content, and the policy allows no
     'embed',
     'index.html',
     'learn',
+    'parts.html',
     'rules',
   ]);
   expect(pages.flatMap(faultsOf)).toEqual([]);

@@ -62,7 +62,7 @@ async function importProfile(page: Page, name: string, json: unknown): Promise<v
 test('a machine is imported, used for own programs, and exported unchanged', async ({ page }) => {
   await open(page);
   await openFile(page, 'own.nc', Buffer.from(PROGRAM));
-  await expect(page.getByText('own.nc').first()).toBeVisible();
+  await expect(page.getByText('Opened own.nc')).toBeVisible();
   await expectMachine(page, 'Choose machine');
   await importProfile(page, 'Shop 1.json', SHOP);
   await expect(dialog(page).getByText('Shop 1 is kept.')).toBeVisible();

@@ -6,6 +6,7 @@ import {
   choose,
   chooseControl,
   editor,
+  locate,
   open,
   openFile,
   openProblems,
@@ -13,6 +14,7 @@ import {
   problems,
   reading,
   status,
+  tooltip,
   value,
 } from './page';
 
@@ -192,6 +194,21 @@ test('a setup stored in the program is written as comments, and one undo removes
   expect(await value(page)).toBe(PROGRAM);
 });
 
+test('wear is entered with the offset of a tool, and moves the part', async ({ page }) => {
+  await begin(page);
+  await openForm(page);
+  await expect(field(page, 'Tool T0101', 'Wear X')).toBeHidden();
+  await form(page).getByText('Tool offset: geometry and wear').click();
+  await field(page, 'Tool T0101', 'Wear X').fill('0.04');
+  await form(page).getByRole('radio', { name: 'in the program, as comments' }).check();
+  await form(page).getByRole('button', { name: 'Apply' }).click();
+  await expect.poll(() => value(page)).toContain('WEARX=0.04');
+  // X40 leaves 40.04 mm.
+  const inside = await locate(page, 20, -10);
+  await page.mouse.move(inside.x, inside.y);
+  await expect(tooltip(page)).toContainText('⌀40.04');
+});
+
 test('a tool can be added', async ({ page }) => {
   await begin(page);
   await openForm(page);
@@ -268,7 +285,10 @@ test('the tip direction is chosen by picture, for the side of the turret in forc
   await test.step('the side in the picture counts, too', async () => {
     await choose(page, 'more', /^Front turret/);
     await openForm(page);
+    // The form is filled in.
+    await expect(tip).toHaveValue('4');
     await button.click();
+    await expect(picture(page, '2, X+ Z−')).toBeVisible();
     expect(await isAbove('2, X+ Z−', '3, X− Z−')).toBe(true);
   });
 });
@@ -277,6 +297,7 @@ test('the shape of an insert is chosen by picture, and the rest of its designati
   await begin(page);
   await openForm(page);
   const insert = field(page, 'Tool T0101', 'Insert (ISO)');
+  await expect(insert).toHaveAttribute('placeholder', 'C (assumed)');
   await pictureButton(page, 'Insert (ISO)').click();
   await picture(page, 'V, 35°').click();
   await expect(insert).toHaveValue('V');

@@ -213,6 +213,8 @@ impl Interpreter {
             // It goes along Y, which was reported.
             Ok(None) if words.has_any(letters(b"YV")) && surface.is_none() => {}
             Ok(None) => self.report(Diagnostic::new(said::ArcNowhere, block.words_span())),
+            // The arc may begin elsewhere: an earlier block was not carried out, which was reported.
+            Err(_) if self.state.is_path_doubtful() => request.drop = true,
             Err(fault) => {
                 let message: Message = match fault {
                     arcs::ArcError::RadiusTooSmall { distance } => {

@@ -8,6 +8,7 @@ use super::{AXES, Interpreter, TURNS};
 use crate::control::events::Event;
 use crate::control::modal::{Once, Target};
 use crate::control::offsets::{Column, EXTENDED_FRAMES, OFFSETS, STANDARD_FRAMES, Setting};
+use crate::control::tool_offset;
 use crate::control::words::{Counts, Words, letters, plain, quote};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, said};
@@ -227,6 +228,9 @@ impl Interpreter {
     }
 
     fn write_offset(&mut self, offset: u16, geometry: bool, words: &Words) {
+        if !self.has(tool_offset::OFFSETS) {
+            return;
+        }
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let (x, z, radius) = match geometry {
@@ -238,7 +242,7 @@ impl Interpreter {
             if let Some(value) = length(absolute) {
                 self.set_offset(offset, column, value, Setting::Absolute);
             } else if let Some(more) = length(incremental) {
-                let value = self.offset_value(offset, column) + more;
+                let value = tool_offset::value(&self.state, &self.setup, offset, column) + more;
                 self.set_offset(offset, column, value, Setting::Relative);
             }
         }

@@ -138,7 +138,11 @@ impl Interpreter {
 
     /// Applies the offset in force, after a T word or a change of the offset table.
     pub(super) fn update_tip_shift(&mut self) {
-        let shift = tool_offset::tip_shift_in_force(&self.state, &self.setup);
+        let has_values = !self.setup.tools.is_empty() || !self.state.offsets.is_empty();
+        if !has_values || !self.has(tool_offset::OFFSETS) {
+            return;
+        }
+        let shift = tool_offset::tip_shift(&self.state, &self.setup);
         if shift != self.state.tip_shift {
             self.leave_compensation();
             self.state.set_tip_shift(shift);

@@ -170,30 +170,19 @@ impl Interpreter {
             System::External(axis) => coordinate(state.frames.external, axis),
             System::Frame(frame, axis) => coordinate(state.frames.work(frame), axis),
             System::Offset(offset, column) => {
-                let value = self.offset_value(offset, column);
+                let value = tool_offset::value(&self.state, &self.setup, offset, column);
                 if column == Column::Tip { value } else { value / unit }
             }
             System::Kept => state.system.get(&variable).copied().unwrap_or(0.0),
         })
     }
 
-    /// A column of a tool offset, mm: as written by the program, otherwise as in the setup.
-    pub(super) fn offset_value(&self, offset: u16, column: Column) -> f64 {
-        self.state.offsets.get(offset, column).or_else(|| self.setup_offset(offset, column)).unwrap_or(0.0)
-    }
-
     /// Writes a column of a tool offset, mm.
     pub(super) fn set_offset(&mut self, offset: u16, column: Column, value: f64, setting: Setting) {
-        let length = match column {
-            Column::X | Column::Z => self.setup_offset(offset, column),
-            _ => None,
-        };
-        self.state.offsets.set(offset, column, value, length, setting);
-        self.update_tip_shift();
-    }
-
-    fn setup_offset(&self, offset: u16, column: Column) -> Option<f64> {
-        tool_offset::setup_offset(&self.setup, self.state.tool.0, offset, column)
+        if self.has(tool_offset::OFFSETS) {
+            tool_offset::write(&mut self.state, &self.setup, (offset, column), value, setting);
+            self.update_tip_shift();
+        }
     }
 
     /// Ten times the G code in force in a modal group.

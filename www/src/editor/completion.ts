@@ -95,7 +95,7 @@ const listTheme = EditorView.theme({
   // page forbids. Transparent, so that the selection under it is visible.
   '.cm-snippetField': {
     backgroundColor: 'transparent',
-    boxShadow: 'inset 0 0 0 1em color-mix(in srgb, var(--playground-accent) 14%, transparent)',
+    boxShadow: 'inset 0 0 0 1em var(--playground-field)',
   },
   // The value of a field is selected, but equal numbers elsewhere have nothing to do with it.
   '.cm-content:has(.cm-snippetField) .cm-selectionMatch': { backgroundColor: 'transparent' },

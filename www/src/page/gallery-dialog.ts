@@ -59,6 +59,9 @@ export class GalleryDialog {
     if (card === null) return;
     const isInView = (): boolean => card.getBoundingClientRect().bottom <= this.#list.getBoundingClientRect().bottom;
     this.#list.scrollTop = 0;
+    // Room below the last subject, so that it can be scrolled to the top.
+    const last = this.#list.querySelector<HTMLElement>('section:last-child');
+    if (last !== null) last.style.minBlockSize = `${this.#list.clientHeight}px`;
     if (!isInView()) card.closest('section')?.scrollIntoView({ block: 'start' });
     if (!isInView()) card.scrollIntoView({ block: 'start' });
   }

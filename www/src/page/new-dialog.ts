@@ -88,7 +88,7 @@ class NewDialog {
     const control = this.#control.value;
     const setup = JSON.stringify({ dialect: { control }, stock });
     this.#dialog.close();
-    await this.#host?.show({ text: `O0001\n${isInch ? 'G20' : 'G21'}\n\nM30\n`, example: '', control, setup });
+    await this.#host?.showNew({ text: `O0001\n${isInch ? 'G20' : 'G21'}\n\nM30\n`, example: '', control, setup });
   }
 }
 
@@ -102,7 +102,7 @@ export function newProgram(host: PageHost): void {
 const WORDS = words({
   en: {
     title: 'New program',
-    about: 'The program in the editor is saved in "My programs".',
+    about: 'Changes to the program in the editor are kept in "My programs".',
     control: 'Control',
     unit: 'Unit',
     units: { mm: 'mm (G21)', inch: 'inch (G20)' },
@@ -112,7 +112,7 @@ const WORDS = words({
   },
   zh: {
     title: '新建程序',
-    about: '编辑器中的程序会保存在“我的程序”中。',
+    about: '对编辑器中程序的修改保存在“我的程序”中。',
     control: '数控系统',
     unit: '单位',
     units: { mm: '毫米 (G21)', inch: '英寸 (G20)' },
@@ -122,7 +122,7 @@ const WORDS = words({
   },
   ru: {
     title: 'Новая программа',
-    about: 'Программа из редактора сохранится в «Моих программах».',
+    about: 'Изменения программы в редакторе сохранятся в «Моих программах».',
     control: 'Система ЧПУ',
     unit: 'Единица',
     units: { mm: 'мм (G21)', inch: 'дюймы (G20)' },

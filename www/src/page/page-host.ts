@@ -61,6 +61,8 @@ export interface PageHost {
   readonly program: SavedProgram;
   /** Saves the current program and replaces it; undo restores it. */
   readonly show: (program: OwnProgram) => Promise<void>;
+  /** The same for a program that has just been made. */
+  readonly showNew: (program: OwnProgram) => Promise<void>;
   openGallery(): void;
   /** The saved program in this tab, and the list of all. */
   readonly saver: TabProgram & { session(): Promise<SavedProgramList> };

@@ -100,6 +100,11 @@ const host = {
     await restoreProgram(program);
     scheduleSave();
   },
+  async showNew(program: OwnProgram): Promise<void> {
+    await restoreProgram(program);
+    intro.show({ kind: 'example' });
+    scheduleSave();
+  },
   titleOf: (id: string) => shownExamples.get(id)?.title[language],
   openList: () => actions.run('own-programs'),
   openGallery: () => void examples.open(),

@@ -27,7 +27,7 @@ export function dimensionText(language: Language, edge: Dimension, unit: LengthU
     case 'thread':
       return texts.threadEdge(format(edge.lead ?? 0), x1, x0);
     case 'across':
-      return texts.across(x0, formatShort(toUnit(edge.z[0], unit), unit === 'mm' ? 1 : 2), edge.x[1] > 0 ? x1 : '');
+      return texts.across(x0, formatShort(toUnit(edge.z[0], unit), unit === 'mm' ? 2 : 3), edge.x[1] > 0 ? x1 : '');
   }
 }
 

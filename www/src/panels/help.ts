@@ -28,6 +28,8 @@ class Help implements Panel {
   };
 
   constructor(shell: Shell) {
+    // Its list may scroll, and contains nothing else to focus.
+    this.#dialog.body.tabIndex = 0;
     this.#keys.addEventListener('click', () => this.#dialog.show());
     this.#dialog.element.addEventListener('keydown', (event) => {
       if (event.key === '?') this.#dialog.close();

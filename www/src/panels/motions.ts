@@ -135,6 +135,8 @@ class MotionsPanel implements Panel {
     this.#shell.flush();
     this.#opener = this.#shell.root.activeElement;
     this.#element.showPopover();
+    // Until the row is rendered, so that Escape closes the table.
+    this.#head.close.focus();
     this.#focusRowWhenRendered();
     this.#follow();
   }

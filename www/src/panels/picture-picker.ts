@@ -46,6 +46,13 @@ export class PicturePicker {
     this.#popover.setAttribute('aria-label', name);
     this.#list.style.setProperty('--columns', String(field.pictures.columns));
     returnFocus(this.#button, this.#popover);
+    // Some browsers would close the dialog of the form, too.
+    this.#popover.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      event.preventDefault();
+      event.stopPropagation();
+      this.#popover.hidePopover();
+    });
     this.#popover.addEventListener('beforetoggle', (event) => {
       if (event.newState === 'open') this.#render();
     });

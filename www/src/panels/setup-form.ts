@@ -28,6 +28,8 @@ interface SetupFormEvents {
 }
 
 const TURRET_KEY = 'machine.turret';
+/** The values of the offset table of the control. */
+const OFFSET_KEY = /^tools\.\w+\.(geometry|wear)[XZR]$/;
 
 /** Groups that are seldom filled in are collapsed. */
 const COLLAPSED_GROUPS: ReadonlySet<SetupGroup['group']> = new Set([
@@ -225,7 +227,9 @@ export class SetupDialog {
       inputs[0]?.focus();
       this.#scheduleAsk();
     });
-    const grid = make('div', { className: 'fields' }, ...inputs.map(({ element }) => element));
+    const isOffset = ({ key }: SetupInput): boolean => OFFSET_KEY.test(key);
+    const grid = fieldGrid(inputs.filter((input) => !isOffset(input)));
+    const offsets = this.#renderOffsets(inputs.filter(isOffset));
     const from = make('span', { className: `source ${source}` }, texts.source[source]);
     if (COLLAPSED_GROUPS.has(group)) {
       const summary = make('summary', {}, make('span', { className: 'group-title' }, title), from);
@@ -244,8 +248,20 @@ export class SetupDialog {
       from,
       clear,
     );
-    const section = make('section', { className: 'group', 'aria-label': title }, legend, grid);
-    return section;
+    return make('section', { className: 'group', 'aria-label': title }, legend, grid, offsets);
+  }
+
+  /** The geometry and wear values of a tool, closed if none is set. */
+  #renderOffsets(inputs: readonly SetupInput[]): HTMLElement | string {
+    if (inputs.length === 0) return '';
+    const { offsets, offsetsAbout } = WORDS[this.#language];
+    return make(
+      'details',
+      { className: 'offsets', open: inputs.some(({ value }) => value !== '') },
+      make('summary', {}, make('span', { className: 'group-title' }, offsets)),
+      make('p', { className: 'about' }, offsetsAbout),
+      fieldGrid(inputs),
+    );
   }
 
   /** The side that is entered, or, as long as it is not changed, that of the picture. */
@@ -347,6 +363,10 @@ export class SetupDialog {
   }
 }
 
+function fieldGrid(inputs: readonly SetupInput[]): HTMLElement {
+  return make('div', { className: 'fields' }, ...inputs.map(({ element }) => element));
+}
+
 const WORDS = words({
   en: {
     title: 'Setup',
@@ -362,6 +382,8 @@ const WORDS = words({
     apply: 'Apply',
     clear: (group: string) => `Clear: ${group}`,
     clearShort: 'Clear',
+    offsets: 'Tool offset: geometry and wear',
+    offsetsAbout: 'Geometry X and Z are the length of the tool and move nothing. Wear moves the path and the part.',
     another: 'Another tool',
     anotherHint: 'T0202',
     add: 'Add',
@@ -382,6 +404,8 @@ const WORDS = words({
     apply: '应用',
     clear: (group) => `清除：${group}`,
     clearShort: '清除',
+    offsets: '刀补：形状与磨损',
+    offsetsAbout: '形状 X、Z 是刀具长度，不移动任何图形；磨损会移动刀具路径和零件。',
     another: '添加刀具',
     anotherHint: 'T0202',
     add: '添加',
@@ -402,6 +426,8 @@ const WORDS = words({
     apply: 'Применить',
     clear: (group) => `Очистить: ${group}`,
     clearShort: 'Очистить',
+    offsets: 'Коррекция: геометрия и износ',
+    offsetsAbout: 'Геометрия X и Z — это длина инструмента, она ничего не смещает. Износ смещает траекторию и деталь.',
     another: 'Ещё инструмент',
     anotherHint: 'T0202',
     add: 'Добавить',
