@@ -136,6 +136,24 @@ fn jaws_and_travel() {
     check_danger("T0101\nG00 X300 Z310\nG00 Z310.1", &[("OverTravel", 3)]);
 }
 
+/// The jaws begin at Z-50. The tool is not given: its tip at X48 is within the bar, but the tool is not.
+#[test]
+fn an_assumed_tool_is_in_the_jaws_where_its_tip_passes_them() {
+    let setup = r#"{"stock": {"diameter": 50, "length": 80, "grip": 30}}"#;
+    let found = |z: &str| {
+        let program = format!("T0101\nG97 S800 M03\nG00 X52 Z2\nG01 X48 F0.2\nZ{z}\nG00 X100 Z100\nM30");
+        let findings = simulation(&program, setup).findings().to_vec();
+        let jaws = findings.into_iter().filter(|finding| matches!(finding.danger, Danger::IntoJaws));
+        jaws.map(|finding| (finding.motion, (10.0 * finding.at.z).round() / 10.0)).collect::<Vec<_>>()
+    };
+    assert_eq!(found("-49.5"), []);
+    // The cut itself is the third motion; its retract begins in the jaws, too.
+    assert_eq!(found("-60")[0], (2, -50.0));
+    // A drill goes through them along the axis.
+    let drilled = "T0202\nG97 S800 M03\nG00 X0 Z2\nG01 Z-70 F0.1\nG00 Z5\nM30";
+    assert!(simulation(drilled, setup).findings().is_empty());
+}
+
 #[test]
 fn holders_slopes_and_the_axis() {
     // A grooving insert with a reach of 8 mm.

@@ -54,6 +54,9 @@ pub fn can_be_found(setup: &Setup) -> bool {
 pub struct DangerDetector {
     /// Jaws and chuck body as one region: hitting both is one finding.
     jaws: Option<Region>,
+    /// The jaws with the end of the bar that they clamp: the tip of an outside tool is there only if the tool is
+    /// in the jaws.
+    clamped: Option<Region>,
     /// Jaws and chuck body as two regions, for drawing.
     chuck: Option<[Region; 2]>,
     /// The centre, if the program moves it forward.
@@ -99,6 +102,7 @@ impl DangerDetector {
         let comes = motions.is_empty() || motions.quills().any(|said| is_forward(said, quill));
         Self {
             jaws: stock.and_then(|stock| jaws(&stock)),
+            clamped: stock.and_then(|stock| clamped(&stock)),
             chuck: stock.and_then(|stock| chuck(&stock)),
             tailstock: setup.tailstock.filter(|_| comes).map(|tailstock| center(&tailstock)),
             quill,
@@ -231,7 +235,9 @@ impl DangerDetector {
 
     fn hit_obstacles(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool) {
         let tailstock = self.tailstock.as_ref().filter(|_| is_forward(motion.process.quill, self.quill));
-        let obstacles = [(Danger::IntoJaws, self.jaws.as_ref()), (Danger::IntoTailstock, tailstock)];
+        // Of an assumed tool only the tip is known.
+        let jaws = if tool.is_assumed_outside() { &self.clamped } else { &self.jaws };
+        let obstacles = [(Danger::IntoJaws, jaws.as_ref()), (Danger::IntoTailstock, tailstock)];
         let found = obstacles.map(|(danger, obstacle)| {
             let obstacle = obstacle?;
             Some((danger, tool.shape.solids().find_map(|outline| hit(obstacle, outline, motion))?))
@@ -449,6 +455,15 @@ fn jaws(stock: &Stock) -> Option<Region> {
         (stock.bore.radius(), back - JAW),
         (stock.bore.radius(), back),
     ];
+    Some(Region::inside(&corners.map(|(x, z)| Point::new(x, z))))
+}
+
+/// The jaws, with the end of the bar and the chuck body.
+fn clamped(stock: &Stock) -> Option<Region> {
+    let grip = stock.grip.filter(|&grip| grip > 0.0)?;
+    let (outer, back) = (stock.diameter.radius() + JAW, stock.back());
+    let inner = stock.bore.radius();
+    let corners = [(inner, back - JAW), (inner, back + grip), (outer, back + grip), (outer, back - JAW)];
     Some(Region::inside(&corners.map(|(x, z)| Point::new(x, z))))
 }
 

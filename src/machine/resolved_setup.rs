@@ -218,6 +218,12 @@ impl ResolvedTool {
         Self { station, takes: shape.edge.clone(), shape, tool, basis: Basis::Given, cuts_nothing: false }
     }
 
+    /// Whether it is an assumed tool that works from outside.
+    pub fn is_assumed_outside(&self) -> bool {
+        let kind = matches!(self.tool.kind, Some(ToolKind::Turning | ToolKind::Grooving));
+        self.basis != Basis::Given && kind && self.tool.working_side() == Side::Outside
+    }
+
     fn inferred(station: u16, tool: Tool) -> Self {
         let mut shape = Shape::of(&tool);
         // The position of the point in an inferred threading tool is unknown, too.
