@@ -233,7 +233,7 @@ export async function choose(
 }
 
 /** Opens a program of the gallery by its title. */
-export async function chooseExample(page: BasicPage, name: string): Promise<void> {
+export async function chooseExample(page: BasicPage, name: string | RegExp): Promise<void> {
   await choose(page, 'program', /^(Gallery|全部示例|Все примеры)…$/);
   await page.getByRole('dialog').getByRole('button').filter({ hasText: name }).first().click();
 }

@@ -4,7 +4,7 @@
 //! `tests/manuals.rs` compares the two.
 
 /// Attributes with their allowed values; empty if any text is allowed.
-const KNOWN: [(&str, &[&str]); 20] = [
+const KNOWN: [(&str, &[&str]); 21] = [
     ("src", &[]),
     ("control", &["fanuc", "gsk", "forum"]),
     ("setup", &[]),
@@ -25,6 +25,7 @@ const KNOWN: [(&str, &[&str]); 20] = [
     ("playground", &[]),
     ("rules", &[]),
     ("docs", &[]),
+    ("learn", &[]),
 ];
 /// Attributes of the element that do not concern its program.
 const OF_THE_PAGE: [&str; 2] = ["split", "hints"];
