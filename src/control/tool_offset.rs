@@ -7,7 +7,7 @@ use super::modal::State;
 use super::offsets::{Column, Setting};
 use crate::geometry::Point;
 use crate::parts::{Part, early};
-use crate::setup::{DescribedNose, Setup, Tool};
+use crate::setup::{Setup, Tool};
 use crate::units::Diameter;
 
 /// The part of the module that reads and writes the values of offsets.
@@ -89,17 +89,12 @@ pub fn nose_entry(state: &State, setup: &Setup) -> (f64, u8) {
         return (0.0, 0);
     }
     let tool: Option<&Tool> = setup.tool((station, offset));
-    let described = described_nose(setup, station).map_or((0.0, 0), |nose| (nose.radius, nose.tip));
+    let described = setup.described_nose(station).map_or((0.0, 0), |nose| (nose.radius, nose.tip));
     let (radius, tip) = tool.map_or(described, |tool| (tool.compensation_radius(), tool.tip_direction()));
     let written = |column| state.offsets.get(offset, column);
     let wear = tool.and_then(|tool| tool.wear_r).unwrap_or(0.0);
     let radius = written(Column::Radius).unwrap_or(radius) + written(Column::WearRadius).unwrap_or(wear);
     (radius, written(Column::Tip).map_or(tip, |tip| tip as u8))
-}
-
-/// The nose of a tool that only a comment describes.
-fn described_nose(setup: &Setup, station: u16) -> Option<&DescribedNose> {
-    setup.described_noses.iter().find(|nose| nose.station == station)
 }
 
 /// The offset in force, if neither the setup nor the program defines it: the machine's own table may.
@@ -114,7 +109,7 @@ pub fn unknown(state: &State, setup: &Setup) -> Option<u16> {
 pub fn unknown_radius(state: &State, setup: &Setup) -> Option<u16> {
     let (station, offset) = state.tool;
     let tool = setup.tool((station, offset));
-    let known = tool.map_or(described_nose(setup, station).is_some(), Tool::has_compensation_radius)
+    let known = tool.map_or(setup.described_nose(station).is_some(), Tool::has_compensation_radius)
         || state.offsets.get(offset, Column::Radius).is_some()
         || state.offsets.get(offset, Column::WearRadius).is_some();
     (offset != 0 && !known).then_some(offset)

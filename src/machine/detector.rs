@@ -461,22 +461,21 @@ fn jaws(stock: &Stock) -> Option<Region> {
 /// The jaws, with the end of the bar and the chuck body.
 fn clamped(stock: &Stock) -> Option<Region> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
-    let (outer, back) = (stock.diameter.radius() + JAW, stock.back());
-    let inner = stock.bore.radius();
-    let corners = [(inner, back - JAW), (inner, back + grip), (outer, back + grip), (outer, back - JAW)];
-    Some(Region::inside(&corners.map(|(x, z)| Point::new(x, z))))
+    Some(block(stock, stock.bore.radius(), stock.back() - JAW, stock.back() + grip))
 }
 
 /// The jaws and the chuck body.
 fn chuck(stock: &Stock) -> Option<[Region; 2]> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
     let (outside, back) = (stock.diameter.radius(), stock.back());
-    let block = |inner: f64, from: f64, to: f64| {
-        let outer = outside + JAW;
-        let corners = [(inner, from), (inner, to), (outer, to), (outer, from)];
-        Region::inside(&corners.map(|(x, z)| Point::new(x, z)))
-    };
-    Some([block(outside, back, back + grip), block(stock.bore.radius(), back - JAW, back)])
+    Some([block(stock, outside, back, back + grip), block(stock, stock.bore.radius(), back - JAW, back)])
+}
+
+/// The region from a radius to the outside of the chuck, between two places along Z.
+fn block(stock: &Stock, inner: f64, from: f64, to: f64) -> Region {
+    let outer = stock.diameter.radius() + JAW;
+    let corners = [(inner, from), (inner, to), (outer, to), (outer, from)];
+    Region::inside(&corners.map(|(x, z)| Point::new(x, z)))
 }
 
 /// Position of the quill before the first quill command: back if that command moves it forward, otherwise

@@ -84,7 +84,7 @@ impl ResolvedSetup {
             .map(|motion| (motion.process.tool.0, Purpose::of(&motion)))
             .collect();
         let inferred_tools = inferred.tools().map(|(station, purpose, tool)| {
-            let nose = setup.described_noses.iter().find(|nose| nose.station == station);
+            let nose = setup.described_nose(station);
             let tool = nose.map_or_else(|| tool.clone(), |nose| with_nose(tool, nose));
             let mut tool = ResolvedTool::inferred(station, for_pitch(station, &tool));
             if unknown_uses.contains(&(station, purpose)) {

@@ -3,9 +3,8 @@
 use crate::units::Unit;
 
 /// The unit of the first G20 or G21 of a text.
-pub fn unit_of(text: &str) -> Option<Unit> {
+pub fn unit_of(bytes: &[u8]) -> Option<Unit> {
     let mut at = 0;
-    let bytes = text.as_bytes();
     while let Some(found) = bytes[at..].iter().position(|byte| matches!(byte, b'G' | b'g' | b'(')) {
         at += found;
         if bytes[at] == b'(' {

@@ -144,6 +144,11 @@ impl Setup {
         self.tools.get(&tool_word(called))
     }
 
+    /// The nose of a tool that a comment describes.
+    pub fn described_nose(&self, station: u16) -> Option<&DescribedNose> {
+        self.described_noses.iter().find(|nose| nose.station == station)
+    }
+
     /// Position of the tip at the start: X200 Z200 by default.
     pub fn start(&self) -> Position {
         self.initial.unwrap_or(Position { x: Diameter::new(200.0), z: 200.0 })

@@ -304,13 +304,14 @@ impl Notes {
 early! {
     fn read(text: &[u8]) -> Notes {
         let mut notes = Notes::default();
+        let mut unit = None;
         for comment in comments(text) {
             let Ok(inside) = std::str::from_utf8(comment.inside) else { continue };
             if let Some(keyword) = comment.keyword() {
                 notes.note(keyword, inside, comment.start);
             } else if nose_comment::may_describe(comment.inside) {
-                let head = String::from_utf8_lossy(&text[..text.len().min(HEAD)]);
-                notes.noses.extend(nose_comment::read(inside, first_unit::unit_of(&head)));
+                let head = || first_unit::unit_of(&text[..text.len().min(HEAD)]);
+                notes.noses.extend(nose_comment::read(inside, *unit.get_or_insert_with(head)));
             }
         }
         notes

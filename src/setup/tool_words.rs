@@ -41,7 +41,7 @@ pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
         return BTreeMap::new();
     }
     let text = &*String::from_utf8_lossy(head);
-    let unit = first_unit::unit_of(text).unwrap_or(unit);
+    let unit = first_unit::unit_of(text.as_bytes()).unwrap_or(unit);
     let mut found: Vec<(Relation, u16, Tool)> = Vec::new();
     let mut above: Vec<Tool> = Vec::new();
     let mut station: Option<u16> = None;
@@ -90,7 +90,7 @@ pub fn read(text: &[u8], unit: Unit) -> BTreeMap<u16, Tool> {
 /// size the first.
 pub fn stock(text: &[u8], unit: Unit) -> DescribedStock {
     let text = &*String::from_utf8_lossy(&text[..text.len().min(HEAD)]);
-    let unit = first_unit::unit_of(text).unwrap_or(unit);
+    let unit = first_unit::unit_of(text.as_bytes()).unwrap_or(unit);
     let title = text.split_once('%').map_or("", |(title, _)| title);
     let mut known = DescribedStock::default();
     let comments = text.split('(').skip(1).filter_map(|rest| rest.split([')', '\n', '\r']).next());
