@@ -1,16 +1,18 @@
 // One notice with "Try again" for everything that could not be loaded or has failed; it stays until all of it works.
 //
-// In: the missing parts, the reasons, and functions that load them again. Out: the notice. All missing parts are loaded
-// again when the user clicks the button or edits the program, and when the network returns. Each has one attempt at a
-// time; an edit starts one no sooner than `MIN_RETRY_DELAY_MS` after the last failure. Must not know: how a part is
+// In: the missing parts, the errors, and functions that load them again. Out: the notice, in words. All missing parts are
+// loaded again when the user clicks the button or edits the program, and when the network returns. Each has one attempt
+// at a time; an edit starts one no sooner than `MIN_RETRY_DELAY_MS` after the last failure. Must not know: how a part is
 // loaded.
 
 import type { Language } from '../dom/language';
-import { whenOnline } from '../dom/network';
+import { isOffline, ReloadRequiredError, whenOnline } from '../dom/network';
+import { words } from '../dom/words';
+import type { NoticeAction } from '../panels/panel';
 
 /** In order of importance: the notice names only the first one that is missing. */
 const KINDS = ['interpreter', 'parts', 'panels', 'editor', 'completion'] as const;
-export type MissingKind = (typeof KINDS)[number];
+type MissingKind = (typeof KINDS)[number];
 
 /** Minimum delay between a failure and an attempt after an edit. */
 const MIN_RETRY_DELAY_MS = 2_000;
@@ -27,8 +29,9 @@ interface MissingPart {
 }
 
 interface MissingEvents {
-  /** Shows the text of the notice with its button; `undefined` hides the notice. */
-  show(text: string | undefined, action: 'try-again' | 'reload'): void;
+  /** Shows the notice, or replaces it. */
+  show(text: string, action: NoticeAction): void;
+  hide(): void;
 }
 
 export class Missing {
@@ -54,8 +57,25 @@ export class Missing {
     this.#show();
   }
 
-  /** Reports a failure; `retry` retries it, and then either `markFailed` or `markLoaded` is called. */
-  markFailed(kind: MissingKind, message: (language: Language) => string, retry: MissingPart['retry']): void {
+  /** Reports a failed load; `retry` retries it, and then either `markFailed` or `markLoaded` is called. */
+  markFailed(kind: MissingKind, error: unknown, retry: () => void): void {
+    const needsReload = error instanceof ReloadRequiredError;
+    const isWithoutNetwork = !needsReload && isOffline();
+    const reason = ({ reasons }: Words): string =>
+      needsReload ? reasons.needsReload : isWithoutNetwork ? reasons.noNetwork : describe(error);
+    this.#add(
+      kind,
+      (language) => WORDS[language].failed[kind](reason(WORDS[language])),
+      needsReload ? 'reload' : retry,
+    );
+  }
+
+  /** Reports that the interpreter takes too long, or has crashed; `retry` as in `markFailed`. */
+  markLost(cause: 'silent' | 'crashed', retry: () => void): void {
+    this.#add('interpreter', (language) => WORDS[language].lost[cause], retry);
+  }
+
+  #add(kind: MissingKind, message: MissingPart['message'], retry: MissingPart['retry']): void {
     // Several callers can report the same failure.
     const before = this.#parts.get(kind);
     if (before?.isRetrying !== false) this.#earliestRetry = performance.now() + MIN_RETRY_DELAY_MS;
@@ -121,6 +141,82 @@ export class Missing {
   #show(): void {
     const first = KINDS.find((kind) => this.#parts.has(kind));
     const part = first && this.#parts.get(first);
-    this.#events.show(part?.message(this.#language), part?.retry === 'reload' ? 'reload' : 'try-again');
+    if (part === undefined) return this.#events.hide();
+    const { tryAgain, reload } = WORDS[this.#language];
+    this.#events.show(
+      part.message(this.#language),
+      part.retry === 'reload'
+        ? { title: reload, act: () => location.reload() }
+        : { title: tryAgain, act: () => this.retryAll() },
+    );
   }
 }
+
+function describe(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+const WORDS = words({
+  en: {
+    failed: {
+      interpreter: (reason: string) => `The interpreter could not be loaded (${reason}).`,
+      parts: (reason: string) =>
+        `Not all of the playground could be loaded (${reason}). The drawing is correct, and you can go on editing.`,
+      panels: (reason: string) => `Part of the page could not be loaded (${reason}).`,
+      editor: (reason: string) => `The editor could not be loaded (${reason}). The drawing is correct.`,
+      completion: (reason: string) => `The proposals of the editor could not be loaded (${reason}).`,
+    },
+    reasons: {
+      needsReload: 'the page has to be reloaded',
+      noNetwork: 'no network connection; will retry when you are back online',
+    },
+    lost: {
+      silent: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
+      crashed: 'The interpreter failed; that is our fault. Your program is still here: change it to run it again.',
+    },
+    tryAgain: 'Try again',
+    reload: 'Reload',
+  },
+  zh: {
+    failed: {
+      interpreter: (reason) => `解释器加载失败（${reason}）。`,
+      parts: (reason) => `部分内容加载失败（${reason}）。已画出的轨迹是正确的，可以继续编辑。`,
+      panels: (reason) => `页面的一部分加载失败（${reason}）。`,
+      editor: (reason) => `编辑器加载失败（${reason}）。图形是正确的。`,
+      completion: (reason) => `编辑器的输入建议加载失败（${reason}）。`,
+    },
+    reasons: {
+      needsReload: '需要重新加载页面',
+      noNetwork: '没有网络；网络恢复后会自动重试',
+    },
+    lost: {
+      silent: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
+      crashed: '解释器出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
+    },
+    tryAgain: '重试',
+    reload: '重新加载',
+  },
+  ru: {
+    failed: {
+      interpreter: (reason) => `Не удалось загрузить интерпретатор (${reason}).`,
+      parts: (reason) => `Загружено не всё (${reason}). Чертёж верен; можно редактировать дальше.`,
+      panels: (reason) => `Не удалось загрузить часть страницы (${reason}).`,
+      editor: (reason) => `Не удалось загрузить редактор (${reason}). Чертёж верен.`,
+      completion: (reason) => `Не удалось загрузить подсказки редактора (${reason}).`,
+    },
+    reasons: {
+      needsReload: 'нужно обновить страницу',
+      noNetwork: 'нет сети; попытка повторится, когда сеть появится',
+    },
+    lost: {
+      silent:
+        'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
+      crashed:
+        'Произошёл сбой интерпретатора — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
+    },
+    tryAgain: 'Повторить',
+    reload: 'Обновить',
+  },
+});
+
+type Words = (typeof WORDS)['en'];

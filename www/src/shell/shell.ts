@@ -5,7 +5,7 @@
 // is loaded later. Must not know: G-code. The interpreter, behind core-client.ts, handles the meaning of a program.
 
 import type { Language } from '../dom/language';
-import { isOffline, importWithRetry, ReloadRequiredError } from '../dom/network';
+import { importWithRetry } from '../dom/network';
 import { words } from '../dom/words';
 import type { ProgramContext, Span } from '../editor/text-store';
 import { Program } from '../editor/program';
@@ -42,7 +42,7 @@ import type { CoreEvent } from '../worker/core-client';
 import { parseLines, oneOf, parseStep, FRAMES, SIDES } from './author';
 import { diagnosticsInFile, strokeInFile } from './file-offsets';
 import { shownControls, createLayout, VIEW_CONTENTS, type Layout, type OptionalService, type View } from './layout';
-import { Missing, type MissingKind } from './missing';
+import { Missing } from './missing';
 import type { OpenLink } from './open-link';
 import { Paper } from './paper';
 import { Runs, type ReportedLoss } from './runs';
@@ -146,18 +146,8 @@ export class PlaygroundShell implements Shell {
     this.#events = events;
     this.#language = host.language;
     this.#missing = new Missing(this.#language, {
-      show: (text, action) => {
-        const { tryAgain, reload } = WORDS[this.#language];
-        if (text === undefined) this.service('hideNotice')('missing');
-        else
-          this.service('notice')(
-            text,
-            'missing',
-            action === 'reload'
-              ? { title: reload, act: () => location.reload() }
-              : { title: tryAgain, act: () => this.#missing.retryAll() },
-          );
-      },
+      show: (text, action) => this.service('notice')(text, 'missing', action),
+      hide: () => this.service('hideNotice')('missing'),
     });
     this.view = host.view;
     this.readonly = host.readonly;
@@ -191,7 +181,7 @@ export class PlaygroundShell implements Shell {
       wordAt: (offset) => this.#wordAt(offset),
       completionAt: (offset, isExplicit) => this.completionAt(offset, isExplicit),
       onShowProgram: () => this.#notifyPanels((panel) => panel.onShowProgram?.()),
-      onCompletionFailed: (reason, retry) => this.#reportFailure('completion', 'completionFailed', reason, retry),
+      onCompletionFailed: (reason, retry) => this.#missing.markFailed('completion', reason, retry),
       onCompletionLoaded: () => this.#missing.markLoaded('completion'),
       onSettingChosen: (setting) => this.service('applySetting')(setting),
       onViewMoved: () => void this.#runs.askTokens(),
@@ -651,7 +641,7 @@ export class PlaygroundShell implements Shell {
         if (report?.kind === 'report' && 'available' in panel) panel.available = hasMotions(report.report);
       }
     } catch (error) {
-      this.#reportFailure('panels', 'pageFailed', error, () => this.#loadFurther(load));
+      this.#missing.markFailed('panels', error, () => this.#loadFurther(load));
       throw error;
     } finally {
       this.#partFinished('panels');
@@ -737,7 +727,7 @@ export class PlaygroundShell implements Shell {
       await this.editor.loadEditor(this.root);
       this.#missing.markLoaded('editor');
     } catch (error) {
-      this.#reportFailure('editor', 'editorFailed', error, () => void this.#loadEditor());
+      this.#missing.markFailed('editor', error, () => void this.#loadEditor());
     }
     this.#partFinished('editor');
   }
@@ -757,21 +747,8 @@ export class PlaygroundShell implements Shell {
   }
 
   #onPartFailed({ reason, neededFor }: Extract<CoreEvent, { readonly kind: 'part-failed' }>): void {
-    this.#reportFailure('parts', 'partFailed', reason, () => this.send({ kind: 'load-parts' }));
+    this.#missing.markFailed('parts', reason, () => this.send({ kind: 'load-parts' }));
     if (neededFor === 'the-report') this.#onRunFailed();
-  }
-
-  /** Reports a part that could not be loaded; `retry` retries. */
-  #reportFailure(kind: MissingKind, textKey: FailureText, error: unknown, retry: () => void): void {
-    const needsReload = error instanceof ReloadRequiredError;
-    const isWithoutNetwork = !needsReload && isOffline();
-    const reason = (texts: (typeof WORDS)['en']): string =>
-      needsReload ? texts.needsReload : isWithoutNetwork ? texts.noNetwork : describe(error);
-    this.#missing.markFailed(
-      kind,
-      (language) => WORDS[language][textKey](reason(WORDS[language])),
-      needsReload ? 'reload' : retry,
-    );
   }
 
   #onRunFailed(): void {
@@ -793,13 +770,8 @@ export class PlaygroundShell implements Shell {
     this.#isIdle = true;
     if (!this.#isReported) this.#onRunFailed();
     const retry = (): void => this.#runs.restart();
-    if (loss.kind === 'load-failed') this.#reportFailure('interpreter', 'loadFailed', loss.reason, retry);
-    else
-      this.#missing.markFailed(
-        'interpreter',
-        (language) => (loss.kind === 'silent' ? WORDS[language].stopped : WORDS[language].crashed),
-        retry,
-      );
+    if (loss.kind === 'load-failed') this.#missing.markFailed('interpreter', loss.reason, retry);
+    else this.#missing.markLost(loss.kind, retry);
     this.#loadEditorIfShown();
   }
 }
@@ -831,66 +803,26 @@ function hasMotions({ summary }: Report): boolean {
   return summary.finished && summary.motions > 0;
 }
 
-/** The texts that report what could not be loaded, and why. */
-type FailureText = 'loadFailed' | 'partFailed' | 'pageFailed' | 'editorFailed' | 'completionFailed';
-
-function describe(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
-}
-
 const WORDS = words({
   en: {
     playground: 'G-code playground',
-    loadFailed: (reason: string) => `The interpreter could not be loaded (${reason}).`,
-    partFailed: (reason: string) =>
-      `Not all of the playground could be loaded (${reason}). The drawing is correct, and you can go on editing.`,
-    pageFailed: (reason: string) => `Part of the page could not be loaded (${reason}).`,
     programLoading: (address: string) => `The program is being loaded: ${address}`,
     programFailed: (address: string, reason: string) => `The program could not be loaded from ${address} (${reason}).`,
-    editorFailed: (reason: string) => `The editor could not be loaded (${reason}). The drawing is correct.`,
-    completionFailed: (reason: string) => `The proposals of the editor could not be loaded (${reason}).`,
     tryAgain: 'Try again',
-    reload: 'Reload',
-    needsReload: 'the page has to be reloaded',
-    noNetwork: 'no network connection; will retry when you are back online',
-    stopped: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
-    crashed: 'The interpreter failed; that is our fault. Your program is still here: change it to run it again.',
     setupRejected: (reason: string) => `The setup was not accepted: ${reason}`,
   },
   zh: {
     playground: 'G 代码演练场',
-    loadFailed: (reason) => `解释器加载失败（${reason}）。`,
-    partFailed: (reason) => `部分内容加载失败（${reason}）。已画出的轨迹是正确的，可以继续编辑。`,
-    pageFailed: (reason) => `页面的一部分加载失败（${reason}）。`,
     programLoading: (address) => `正在加载程序：${address}`,
     programFailed: (address, reason) => `无法从 ${address} 加载程序（${reason}）。`,
-    editorFailed: (reason) => `编辑器加载失败（${reason}）。图形是正确的。`,
-    completionFailed: (reason) => `编辑器的输入建议加载失败（${reason}）。`,
     tryAgain: '重试',
-    reload: '重新加载',
-    needsReload: '需要重新加载页面',
-    noNetwork: '没有网络；网络恢复后会自动重试',
-    stopped: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
-    crashed: '解释器出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
     setupRejected: (reason) => `设置未被接受：${reason}`,
   },
   ru: {
     playground: 'Песочница G-кода',
-    loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}).`,
-    partFailed: (reason) => `Загружено не всё (${reason}). Чертёж верен; можно редактировать дальше.`,
-    pageFailed: (reason) => `Не удалось загрузить часть страницы (${reason}).`,
     programLoading: (address) => `Программа загружается: ${address}`,
     programFailed: (address, reason) => `Не удалось загрузить программу ${address} (${reason}).`,
-    editorFailed: (reason) => `Не удалось загрузить редактор (${reason}). Чертёж верен.`,
-    completionFailed: (reason) => `Не удалось загрузить подсказки редактора (${reason}).`,
     tryAgain: 'Повторить',
-    reload: 'Обновить',
-    needsReload: 'нужно обновить страницу',
-    noNetwork: 'нет сети; попытка повторится, когда сеть появится',
-    stopped:
-      'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
-    crashed:
-      'Произошёл сбой интерпретатора — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
     setupRejected: (reason) => `Наладка отклонена: ${reason}`,
   },
 });
