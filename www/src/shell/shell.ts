@@ -11,18 +11,7 @@ import type { ProgramContext, Span } from '../editor/text-store';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
-import {
-  REGIONS,
-  type Control,
-  type NewestQuestion,
-  type Panel,
-  type PanelKind,
-  type Region,
-  type Services,
-  type Shell,
-  type SwitchState,
-  type UserCommand,
-} from '../panels/panel';
+import type { NewestQuestion, PanelKind, Region, Services, Shell, UserCommand } from '../panels/panel';
 import type {
   Answer,
   Command,
@@ -41,9 +30,10 @@ import type {
 import type { CoreEvent } from '../worker/core-client';
 import { parseLines, oneOf, parseStep, FRAMES, SIDES } from './author';
 import { diagnosticsInFile, strokeInFile } from './file-offsets';
-import { shownControls, createLayout, VIEW_CONTENTS, type Layout, type OptionalService, type View } from './layout';
+import { createLayout, VIEW_CONTENTS, type Layout, type OptionalService, type View } from './layout';
 import { Missing } from './missing';
 import type { OpenLink } from './open-link';
+import { hasMotions, PanelSet } from './panel-set';
 import { Paper } from './paper';
 import { Runs, type ReportedLoss } from './runs';
 import { Unfinished, type ReportEvent } from './unfinished';
@@ -83,13 +73,6 @@ interface ShellEvents {
   onSettled(run: number): void;
 }
 
-/** The events that panels loaded later have missed. */
-interface MissedEvents {
-  readonly events: Map<CoreEvent['kind'], CoreEvent>;
-  switches?: SwitchState;
-  isLost?: boolean;
-}
-
 /** Every deployed `element.js` has a page beside it. A bundled element has none: its page must set `playground`. */
 const DEFAULT_PLAYGROUND = import.meta.url.endsWith('/element.js')
   ? import.meta.url.replace(/element\.js$/, 'index.html')
@@ -108,25 +91,17 @@ export class PlaygroundShell implements Shell {
   complete: Promise<void>;
   readonly #host: Host;
   readonly #events: ShellEvents;
-  readonly #regions: Readonly<Record<Region, HTMLElement>>;
-  /** The groups of panels that are shown. */
-  readonly #controls: readonly Control[];
   readonly #layout: Layout;
+  readonly #panels: PanelSet;
   readonly #paper: Paper;
   #openLink: OpenLink | undefined;
   #openLinkRequested = false;
-  readonly #panels: Panel[] = [];
-  /** Panels that are not displayed and exist only for their services. */
-  readonly #hiddenPanels = new Set<Panel>();
-  readonly #services: Partial<Services> = {};
   readonly #runs: Runs;
   readonly #unfinished: Unfinished;
   /** All problems of the newest report, also those that are held back. */
   #diagnostics: readonly Diagnostic[] = [];
   readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
   #language: Language;
-  /** Events of the newest run for panels that are loaded later; undefined once all are loaded. */
-  #missed: MissedEvents | undefined = { events: new Map() };
   /** The parts that are still being loaded, and the run that is settled apart from them. */
   readonly #pendingParts: Set<'panels' | 'editor' | 'program' | 'step' | 'link'>;
   #settledRun: number | undefined;
@@ -151,7 +126,6 @@ export class PlaygroundShell implements Shell {
     });
     this.view = host.view;
     this.readonly = host.readonly;
-    this.#controls = shownControls(this.view, host.controls);
     this.#pendingParts = new Set([
       ...(FURTHER[this.view] === undefined ? [] : (['panels'] as const)),
       ...(this.showsProgram ? (['editor'] as const) : []),
@@ -172,23 +146,23 @@ export class PlaygroundShell implements Shell {
       onCursorMoved: () => {
         this.#runs.cursorMoved();
         this.#unfinished.onCursorMoved();
-        this.#notifyPanels((panel) => panel.onCursorMoved?.());
+        this.#panels.notify((panel) => panel.onCursorMoved?.());
       },
       onTrialChanged: () => {
         this.#runs.requestRun('keep');
-        this.#notifyPanels((panel) => panel.onTrialChanged?.());
+        this.#panels.notify((panel) => panel.onTrialChanged?.());
       },
       wordAt: (offset) => this.#wordAt(offset),
       completionAt: (offset, isExplicit) => this.completionAt(offset, isExplicit),
-      onShowProgram: () => this.#notifyPanels((panel) => panel.onShowProgram?.()),
+      onShowProgram: () => this.#panels.notify((panel) => panel.onShowProgram?.()),
       onCompletionFailed: (reason, retry) => this.#missing.markFailed('completion', reason, retry),
       onCompletionLoaded: () => this.#missing.markLoaded('completion'),
       onSettingChosen: (setting) => this.service('applySetting')(setting),
       onViewMoved: () => void this.#runs.askTokens(),
-      onFileChanged: () => this.#notifyPanels((panel) => panel.onFileChanged?.(this.editor.file)),
+      onFileChanged: () => this.#panels.notify((panel) => panel.onFileChanged?.(this.editor.file)),
       onPasted: (from, to) => {
         this.markAsInserted();
-        this.#notifyPanels((panel) => panel.onTextInserted?.(from, to));
+        this.#panels.notify((panel) => panel.onTextInserted?.(from, to));
       },
     });
     this.#runs = new Runs(this.editor, {
@@ -196,7 +170,7 @@ export class PlaygroundShell implements Shell {
       onEvent: (event) => {
         const received = this.readonly && event.kind === 'report' ? withoutFixes(event) : event;
         const shownEvent = received.kind === 'report' ? this.#unfinished.shown(received) : received;
-        this.#notifyOf(shownEvent);
+        this.#panels.onEvent(shownEvent);
         if (event.kind === 'path' || event.kind === 'report') this.#missing.markLoaded('interpreter');
         if (received.kind === 'report' && shownEvent.kind === 'report')
           this.#onReport(received.report, shownEvent.report.diagnostics);
@@ -208,15 +182,14 @@ export class PlaygroundShell implements Shell {
         else if (event.kind === 'progress' || event.kind === 'part-failed') this.#loadEditorIfShown();
       },
       onPictures: (pictures, scale) => {
-        this.#notifyPanels((panel) => panel.onPictures?.(pictures, scale));
+        this.#panels.notify((panel) => panel.onPictures?.(pictures, scale));
         this.#layout.fallback.hidden = true;
         this.#loadEditorIfShown();
       },
       onInputChanged: () => {
         this.#isReported = false;
         this.#unfinished.drop();
-        this.#missed?.events.clear();
-        this.#notifyPanels((panel) => panel.onInputChanged?.());
+        this.#panels.onInputChanged();
         if (this.#isIdle) this.#onRunFailed();
       },
       onTextChanged: () => this.service('hideNotice')('program'),
@@ -224,8 +197,7 @@ export class PlaygroundShell implements Shell {
       onRunStarted: () => {
         this.#missing.markRetrying('interpreter');
         this.#isIdle = false;
-        if (this.#missed !== undefined) this.#missed.isLost = false;
-        this.#notifyPanels((panel) => panel.onRunStarted?.());
+        this.#panels.onRunStarted();
       },
       onSent: () => events.onChange(),
       onReady: () => {
@@ -239,7 +211,7 @@ export class PlaygroundShell implements Shell {
         const { highlight, fit, turret } = host;
         if (highlight !== null || fit !== null || turret !== null)
           this.#sendAuthorAttributes((command) => client.send(command));
-        this.#notifyPanels((panel) => panel.onWorkerConnected?.((command) => client.send(command)));
+        this.#panels.notify((panel) => panel.onWorkerConnected?.((command) => client.send(command)));
       },
       onLost: (loss) => this.#onWorkerLost(loss),
       onUnsettled: () => {
@@ -254,15 +226,16 @@ export class PlaygroundShell implements Shell {
       },
     });
     this.#unfinished = new Unfinished(this.editor, (event) => {
-      this.#notifyOf(event);
+      this.#panels.onEvent(event);
       this.editor.diagnostics = event.report.diagnostics;
     });
     const layout = (this.#layout = createLayout(this.view, this.editor.element));
     this.frame = layout.frame;
-    this.#regions = layout.regions;
+    const { view, controls, readonly, language } = host;
+    this.#panels = new PanelSet({ root, regions: layout.regions, view, controls, readonly, language });
     // Before the editor is loaded, too.
     this.editor.element.addEventListener('keydown', () => this.#missing.onEdit());
-    this.#add(VIEW_CONTENTS[this.view].picture ? PICTURES : ALWAYS);
+    this.#panels.add(VIEW_CONTENTS[view].picture ? PICTURES : ALWAYS, this);
     this.authorChanged();
     this.#paper = new Paper((from, to) => this.editor.textBetween(from, to));
     layout.container.append(this.#paper.element);
@@ -288,7 +261,7 @@ export class PlaygroundShell implements Shell {
     this.#paper.disconnect();
     this.#missing.cancelRetries();
     this.#unfinished.drop();
-    this.#notifyPanels((panel) => panel.onDisconnected?.());
+    this.#panels.notify((panel) => panel.onDisconnected?.());
     this.#runs.end();
   }
 
@@ -299,7 +272,7 @@ export class PlaygroundShell implements Shell {
     this.#missing.language = this.#language;
     // Answers to questions that a panel asks from now on are in this language.
     this.send({ kind: 'language', tag: this.#language });
-    for (const panel of this.#panels) panel.language = this.#language;
+    this.#panels.language = this.#language;
     this.editor.language = this.#language;
   }
 
@@ -359,7 +332,8 @@ export class PlaygroundShell implements Shell {
     await this.complete.catch(() => undefined);
     // The user may have changed the program meanwhile.
     if (run !== this.#settledRun || !this.#pendingParts.delete('step')) return;
-    const { goTo, goToBlock } = this.#services;
+    const goTo = this.#panels.findService('goTo');
+    const goToBlock = this.#panels.findService('goToBlock');
     if (step.kind === 'motion') await (goTo?.(step.motion) ?? this.ask('go-to', { motion: step.motion }));
     else {
       const offset = this.editor.startOfLine(step.line);
@@ -368,7 +342,7 @@ export class PlaygroundShell implements Shell {
     this.#settle();
   }
 
-  readonly coloursChanged = (): void => this.#notifyPanels((panel) => panel.onColoursChanged?.());
+  readonly coloursChanged = (): void => this.#panels.notify((panel) => panel.onColoursChanged?.());
 
   setupChanged(): void {
     this.#runs.setupChanged();
@@ -406,7 +380,7 @@ export class PlaygroundShell implements Shell {
   setProgram(program: ProgramText, file: ProgramFile | undefined): void {
     const { editor } = this;
     editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', this.#context);
-    this.#notifyPanels((panel) => panel.onProgramReplaced?.('host'));
+    this.#panels.notify((panel) => panel.onProgramReplaced?.('host'));
     // A notice about a file does not apply to this program.
     this.service('hideNotice')('file');
     this.#runs.resetCursor();
@@ -414,15 +388,7 @@ export class PlaygroundShell implements Shell {
   }
 
   handleKey(event: KeyboardEvent): void {
-    if (this.#panels.some(({ capturesKeys }) => capturesKeys === true)) return;
-    const target = event.composedPath()[0];
-    const typing =
-      target instanceof HTMLElement &&
-      (target.isContentEditable || target.matches('input:not([type=range]), textarea'));
-    const key = { event, inside: typing ? 'text' : 'elsewhere' } as const;
-    if (!this.#panels.some((panel) => !this.#hiddenPanels.has(panel) && panel.onKey?.(key) === 'handled')) return;
-    event.preventDefault();
-    event.stopPropagation();
+    this.#panels.handleKey(event);
   }
 
   // ---- for the panels -----------------------------------------------------------------------------
@@ -431,18 +397,8 @@ export class PlaygroundShell implements Shell {
     return this.#language;
   }
 
-  /** What the user can do, for the command palette of the page. */
   get commands(): readonly UserCommand[] {
-    const buttons = [...this.region('views').querySelectorAll('button')].filter(
-      (button) => button.checkVisibility() && !button.disabled,
-    );
-    return [
-      ...this.#panels.flatMap((panel) => panel.commands ?? []),
-      ...buttons.map((button) => ({
-        name: button.getAttribute('aria-label') ?? button.textContent ?? '',
-        run: () => button.click(),
-      })),
-    ];
+    return this.#panels.commands;
   }
 
   get diagnostics(): readonly Diagnostic[] {
@@ -462,17 +418,15 @@ export class PlaygroundShell implements Shell {
   }
 
   region(region: Region): HTMLElement {
-    return this.#regions[region];
+    return this.#panels.regions[region];
   }
 
   service<S extends keyof Services>(name: S): Services[S] {
-    const service = this.#services[name];
-    if (service === undefined) throw new Error(`view="${this.view}" does not offer ${name}`);
-    return service;
+    return this.#panels.service(name);
   }
 
   hasService(name: keyof Services): boolean {
-    return this.#services[name] !== undefined;
+    return this.#panels.findService(name) !== undefined;
   }
 
   send(command: Command): void {
@@ -510,7 +464,7 @@ export class PlaygroundShell implements Shell {
     this.#runs.resetCursor();
     this.#runs.textChanged('fit');
     this.notifyFileChanged();
-    if (as === 'another') this.#notifyPanels((panel) => panel.onTextInserted?.(0, this.editor.length));
+    if (as === 'another') this.#panels.notify((panel) => panel.onTextInserted?.(0, this.editor.length));
   }
 
   addStyles(styles: string): void {
@@ -567,11 +521,11 @@ export class PlaygroundShell implements Shell {
   /** The page has moved the cursor on behalf of the user. */
   #onCursorSet(offset: number): void {
     this.#runs.setCursor(offset);
-    this.#notifyPanels((panel) => panel.onCursorMoved?.());
+    this.#panels.notify((panel) => panel.onCursorMoved?.());
   }
 
   notifyToolMoved(place: Readout | undefined): void {
-    this.#notifyPanels((panel) => panel.onToolMoved?.(place));
+    this.#panels.notify((panel) => panel.onToolMoved?.(place));
   }
 
   changeSetup(setup: string | null): void {
@@ -592,31 +546,6 @@ export class PlaygroundShell implements Shell {
 
   // ---- between them -------------------------------------------------------------------------------
 
-  /** Adds panels before the existing ones. */
-  #add(kinds: readonly PanelKind[]): readonly Panel[] {
-    adoptStyles(
-      this.root,
-      kinds.map(({ styles }) => styles ?? ''),
-    );
-    const added = kinds.map(({ make }) => make(this));
-    for (const [at, kind] of kinds.entries()) {
-      const panel = added[at];
-      if (panel !== undefined && !this.#isShown(kind)) this.#hiddenPanels.add(panel);
-    }
-    for (const region of REGIONS) {
-      const visible = added.filter((panel) => region === 'dialogs' || !this.#hiddenPanels.has(panel));
-      this.#regions[region].prepend(...visible.flatMap(({ elements }) => elements[region] ?? []));
-    }
-    for (const panel of added) Object.assign(this.#services, panel.services);
-    this.#panels.unshift(...added);
-    for (const panel of added) panel.language = this.#language;
-    return added;
-  }
-
-  #isShown({ control, edits }: PanelKind): boolean {
-    return (control === undefined || this.#controls.includes(control)) && !(edits === true && this.readonly);
-  }
-
   #loadFurther(further: () => Promise<Further>): void {
     this.complete = this.#addFurther(further);
     // The panels have a better print layout. Callers of `complete` handle a rejection, and the user sees a notice.
@@ -629,33 +558,13 @@ export class PlaygroundShell implements Shell {
       const { FURTHER, SHARED_STYLES } = await importWithRetry(load);
       this.#missing.markLoaded('panels');
       adoptStyles(this.root, SHARED_STYLES);
-      const missed = this.#missed;
-      this.#missed = undefined;
-      for (const panel of this.#add(FURTHER)) {
-        panel.onFileChanged?.(this.editor.file);
-        if (missed?.switches !== undefined) panel.onSwitchesChanged?.(missed.switches);
-        if (missed?.isLost === true) panel.onWorkerLost?.();
-        for (const event of missed?.events.values() ?? []) panel.onEvent?.(event);
-        if (this.#isIdle && !this.#isReported) panel.onRunFailed?.();
-        const report = missed?.events.get('report');
-        if (report?.kind === 'report' && 'available' in panel) panel.available = hasMotions(report.report);
-      }
+      this.#panels.addLast(FURTHER, this, this.editor.file, this.#isIdle && !this.#isReported);
     } catch (error) {
       this.#missing.markFailed('panels', error, () => this.#loadFurther(load));
       throw error;
     } finally {
       this.#partFinished('panels');
     }
-  }
-
-  /** Tells the panels of an event, also those that are loaded later. */
-  #notifyOf(event: CoreEvent): void {
-    this.#missed?.events.set(event.kind, event);
-    this.#notifyPanels((panel) => panel.onEvent?.(event));
-  }
-
-  #notifyPanels(notify: (panel: Panel) => void): void {
-    for (const panel of this.#panels) notify(panel);
   }
 
   get #context(): ProgramContext {
@@ -665,14 +574,14 @@ export class PlaygroundShell implements Shell {
 
   /** The context of a program of which only the text is known: it runs on the user's own machine. */
   get #neutralContext(): ProgramContext {
-    return { ...EMPTY_CONTEXT, setup: this.#services.defaultSetup?.() ?? null };
+    return { ...EMPTY_CONTEXT, setup: this.#panels.findService('defaultSetup')?.() ?? null };
   }
 
   #applyContext(context: ProgramContext): void {
     const before = this.#context;
     // Another program can have the same context: then only the notifications below are needed.
     if (CONTEXT_KEYS.some((key) => context[key] !== before[key])) Object.assign(this.#host, context);
-    this.#notifyPanels((panel) => panel.onProgramReplaced?.('user'));
+    this.#panels.notify((panel) => panel.onProgramReplaced?.('user'));
     this.#events.fire('gcode-context', context);
   }
 
@@ -681,8 +590,7 @@ export class PlaygroundShell implements Shell {
     const { control, setup, blockSkip, program } = this.#host;
     const merged = mergeSetup(setup, { control, blockSkip, program });
     const switches = readSwitches(merged);
-    if (this.#missed !== undefined) this.#missed.switches = switches;
-    this.#notifyPanels((panel) => panel.onSwitchesChanged?.(switches));
+    this.#panels.onSwitchesChanged(switches);
     this.#setupError = merged.kind === 'unreadable' ? merged.reason : undefined;
     return merged.kind === 'setup' ? merged.json : undefined;
   }
@@ -695,7 +603,7 @@ export class PlaygroundShell implements Shell {
     const rejected = this.#setupError ?? setupRejected;
     if (rejected === undefined) this.service('hideNotice')('setup');
     else this.service('notice')(WORDS[this.#language].setupRejected(rejected), 'setup');
-    this.#setAvailable(hasMotions(report));
+    this.#panels.available = hasMotions(report);
     this.editor.diagnostics = shown;
     this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', {
       summary,
@@ -753,20 +661,15 @@ export class PlaygroundShell implements Shell {
 
   #onRunFailed(): void {
     this.#isIdle = true;
-    this.#setAvailable(false);
+    this.#panels.available = false;
     this.editor.diagnostics = [];
-    this.#notifyPanels((panel) => panel.onRunFailed?.());
-  }
-
-  #setAvailable(available: boolean): void {
-    for (const panel of this.#panels) if ('available' in panel) panel.available = available;
+    this.#panels.notify((panel) => panel.onRunFailed?.());
   }
 
   #onWorkerLost(loss: ReportedLoss): void {
     console.error('gcode-playground: the interpreter was lost', loss);
-    this.#setAvailable(false);
-    if (this.#missed !== undefined) this.#missed.isLost = true;
-    this.#notifyPanels((panel) => panel.onWorkerLost?.());
+    this.#panels.available = false;
+    this.#panels.onWorkerLost();
     this.#isIdle = true;
     if (!this.#isReported) this.#onRunFailed();
     const retry = (): void => this.#runs.restart();
@@ -798,10 +701,6 @@ function withoutFixes(event: ReportEvent): ReportEvent {
 /** The context of a program of which only the text is known. */
 const EMPTY_CONTEXT: ProgramContext = { control: null, setup: null, blockSkip: null, program: null, origin: null };
 const CONTEXT_KEYS = Object.keys(EMPTY_CONTEXT) as readonly (keyof ProgramContext)[];
-
-function hasMotions({ summary }: Report): boolean {
-  return summary.finished && summary.motions > 0;
-}
 
 const WORDS = words({
   en: {
