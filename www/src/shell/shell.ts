@@ -7,7 +7,7 @@
 import type { Language } from '../dom/language';
 import { importWithRetry } from '../dom/network';
 import { words } from '../dom/words';
-import type { ProgramContext, Span } from '../editor/text-store';
+import type { Span } from '../editor/text-store';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
@@ -30,6 +30,7 @@ import type {
 import type { CoreEvent } from '../worker/core-client';
 import { parseLines, oneOf, parseStep, FRAMES, SIDES } from './author';
 import { diagnosticsInFile, strokeInFile } from './file-offsets';
+import { HostContext } from './host-context';
 import { createLayout, VIEW_CONTENTS, type Layout, type OptionalService, type View } from './layout';
 import { Missing } from './missing';
 import type { OpenLink } from './open-link';
@@ -37,7 +38,6 @@ import { hasMotions, PanelSet } from './panel-set';
 import { Paper } from './paper';
 import { Runs, type ReportedLoss } from './runs';
 import { Unfinished, type ReportEvent } from './unfinished';
-import { mergeSetup, readSwitches } from './merged-setup';
 import { adoptStyles } from './style-sheets';
 
 /** The element, whose attributes set how the program is run. */
@@ -96,6 +96,7 @@ export class PlaygroundShell implements Shell {
   readonly #paper: Paper;
   #openLink: OpenLink | undefined;
   #openLinkRequested = false;
+  readonly #context: HostContext;
   readonly #runs: Runs;
   readonly #unfinished: Unfinished;
   /** All problems of the newest report, also those that are held back. */
@@ -112,9 +113,6 @@ export class PlaygroundShell implements Shell {
   #isIdle = false;
   /** Whether the editor is loaded or being loaded. */
   #editorRequested = false;
-  /** Why the setup could not be sent. */
-  #setupError: string | undefined;
-
   constructor(root: ShadowRoot, host: Host, events: ShellEvents) {
     this.root = root;
     this.#host = host;
@@ -131,17 +129,23 @@ export class PlaygroundShell implements Shell {
       ...(this.showsProgram ? (['editor'] as const) : []),
       ...(host.playground === '' ? [] : (['link'] as const)),
     ]);
+    this.#context = new HostContext(host, {
+      defaultSetup: () => this.#panels.findService('defaultSetup')?.() ?? null,
+      onReplaced: () => this.#panels.notify((panel) => panel.onProgramReplaced?.('user')),
+      onSwitches: (switches) => this.#panels.onSwitchesChanged(switches),
+      fire: (type, detail) => events.fire(type, detail),
+    });
     this.editor = new Program(this.#language, host.readonly ? 'readonly' : 'editable', {
       onTextChanged: (input) => {
         this.#pendingParts.delete('step');
         if (input === 'typed') this.#unfinished.onTyped();
         this.#runs.onTyped();
       },
-      context: () => this.#context,
-      neutral: () => this.#neutralContext,
+      context: () => this.#context.current,
+      neutral: () => this.#context.neutral,
       onContextChanged: (context) => {
         this.#runs.onProgramReplaced();
-        this.#applyContext(context);
+        this.#context.replace(context);
       },
       onCursorMoved: () => {
         this.#runs.cursorMoved();
@@ -166,7 +170,7 @@ export class PlaygroundShell implements Shell {
       },
     });
     this.#runs = new Runs(this.editor, {
-      setup: () => this.#mergedSetup(),
+      setup: () => this.#context.mergedSetup(),
       onEvent: (event) => {
         const received = this.readonly && event.kind === 'report' ? withoutFixes(event) : event;
         const shownEvent = received.kind === 'report' ? this.#unfinished.shown(received) : received;
@@ -379,7 +383,7 @@ export class PlaygroundShell implements Shell {
   /** Sets another text without an event for the page; the attributes stay. */
   setProgram(program: ProgramText, file: ProgramFile | undefined): void {
     const { editor } = this;
-    editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', this.#context);
+    editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', this.#context.current);
     this.#panels.notify((panel) => panel.onProgramReplaced?.('host'));
     // A notice about a file does not apply to this program.
     this.service('hideNotice')('file');
@@ -457,9 +461,9 @@ export class PlaygroundShell implements Shell {
 
   replaceProgram(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void {
     if (as === 'another') {
-      const context = this.#neutralContext;
+      const context = this.#context.neutral;
       this.editor.setText(program, file, 'undoable', context);
-      this.#applyContext(context);
+      this.#context.replace(context);
     } else this.editor.setText(program, file, 'undoable');
     this.#runs.resetCursor();
     this.#runs.textChanged('fit');
@@ -529,19 +533,11 @@ export class PlaygroundShell implements Shell {
   }
 
   changeSetup(setup: string | null): void {
-    const host = this.#host;
-    if (host.setup === setup && host.control === null) return;
-    host.setup = setup;
-    // The form has shown the control of the attribute, and the new setup contains it.
-    host.control = null;
-    this.#events.fire('gcode-setup', { setup });
+    this.#context.changeSetup(setup);
   }
 
-  setSwitches({ blockSkip, program }: { readonly blockSkip?: string; readonly program?: string }): void {
-    const host = this.#host;
-    if (blockSkip !== undefined) host.blockSkip = blockSkip;
-    if (program !== undefined) host.program = program;
-    this.#events.fire('gcode-switch', { blockSkip: host.blockSkip, program: host.program });
+  setSwitches(switches: { readonly blockSkip?: string; readonly program?: string }): void {
+    this.#context.setSwitches(switches);
   }
 
   // ---- between them -------------------------------------------------------------------------------
@@ -567,40 +563,12 @@ export class PlaygroundShell implements Shell {
     }
   }
 
-  get #context(): ProgramContext {
-    const { control, setup, blockSkip, program, origin } = this.#host;
-    return { control, setup, blockSkip, program, origin };
-  }
-
-  /** The context of a program of which only the text is known: it runs on the user's own machine. */
-  get #neutralContext(): ProgramContext {
-    return { ...EMPTY_CONTEXT, setup: this.#panels.findService('defaultSetup')?.() ?? null };
-  }
-
-  #applyContext(context: ProgramContext): void {
-    const before = this.#context;
-    // Another program can have the same context: then only the notifications below are needed.
-    if (CONTEXT_KEYS.some((key) => context[key] !== before[key])) Object.assign(this.#host, context);
-    this.#panels.notify((panel) => panel.onProgramReplaced?.('user'));
-    this.#events.fire('gcode-context', context);
-  }
-
-  /** The setup merged with the other attributes; undefined if it is invalid. */
-  #mergedSetup(): string | undefined {
-    const { control, setup, blockSkip, program } = this.#host;
-    const merged = mergeSetup(setup, { control, blockSkip, program });
-    const switches = readSwitches(merged);
-    this.#panels.onSwitchesChanged(switches);
-    this.#setupError = merged.kind === 'unreadable' ? merged.reason : undefined;
-    return merged.kind === 'setup' ? merged.json : undefined;
-  }
-
   /** `shown`: the problems without those that are held back. */
   #onReport(report: Report, shown: readonly Diagnostic[]): void {
     const { summary, diagnostics, setupRejected } = report;
     this.#diagnostics = diagnostics;
     this.#isReported = true;
-    const rejected = this.#setupError ?? setupRejected;
+    const rejected = this.#context.setupError ?? setupRejected;
     if (rejected === undefined) this.service('hideNotice')('setup');
     else this.service('notice')(WORDS[this.#language].setupRejected(rejected), 'setup');
     this.#panels.available = hasMotions(report);
@@ -697,10 +665,6 @@ function withoutFixes(event: ReportEvent): ReportEvent {
   const diagnostics = event.report.diagnostics.map((diagnostic) => ({ ...diagnostic, fixes: [] }));
   return { ...event, report: { ...event.report, diagnostics } };
 }
-
-/** The context of a program of which only the text is known. */
-const EMPTY_CONTEXT: ProgramContext = { control: null, setup: null, blockSkip: null, program: null, origin: null };
-const CONTEXT_KEYS = Object.keys(EMPTY_CONTEXT) as readonly (keyof ProgramContext)[];
 
 const WORDS = words({
   en: {
