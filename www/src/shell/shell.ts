@@ -28,7 +28,8 @@ import type {
   WordHelp,
 } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
-import { parseLines, oneOf, parseStep, FRAMES, SIDES } from './author';
+import { parseStep } from './author';
+import { AuthorSettings } from './author-settings';
 import { diagnosticsInFile, strokeInFile } from './file-offsets';
 import { HostContext } from './host-context';
 import { createLayout, VIEW_CONTENTS, type Layout, type OptionalService, type View } from './layout';
@@ -93,6 +94,7 @@ export class PlaygroundShell implements Shell {
   readonly #events: ShellEvents;
   readonly #layout: Layout;
   readonly #panels: PanelSet;
+  readonly #author: AuthorSettings;
   readonly #paper: Paper;
   #openLink: OpenLink | undefined;
   #openLinkRequested = false;
@@ -211,10 +213,7 @@ export class PlaygroundShell implements Shell {
       onConnected: (client) => {
         this.#missing.markLoaded('parts');
         client.send({ kind: 'language', tag: this.#language });
-        // A new worker has the defaults, so send only attributes that are set.
-        const { highlight, fit, turret } = host;
-        if (highlight !== null || fit !== null || turret !== null)
-          this.#sendAuthorAttributes((command) => client.send(command));
+        this.#author.sendInitial((command) => client.send(command));
         this.#panels.notify((panel) => panel.onWorkerConnected?.((command) => client.send(command)));
       },
       onLost: (loss) => this.#onWorkerLost(loss),
@@ -235,6 +234,7 @@ export class PlaygroundShell implements Shell {
     });
     const layout = (this.#layout = createLayout(this.view, this.editor.element));
     this.frame = layout.frame;
+    this.#author = new AuthorSettings(host, this.editor, layout);
     const { view, controls, readonly, language } = host;
     this.#panels = new PanelSet({ root, regions: layout.regions, view, controls, readonly, language });
     // Before the editor is loaded, too.
@@ -272,7 +272,7 @@ export class PlaygroundShell implements Shell {
   languageChanged(): void {
     this.#language = this.#host.language;
     this.#openLink?.changed();
-    this.#showCaption();
+    this.#author.showCaption(this.#language);
     this.#missing.language = this.#language;
     // Answers to questions that a panel asks from now on are in this language.
     this.send({ kind: 'language', tag: this.#language });
@@ -282,39 +282,13 @@ export class PlaygroundShell implements Shell {
 
   /** Applies the author's attributes for lines, picture and caption. */
   authorChanged(): void {
-    this.editor.highlightedLines = parseLines(this.#host.highlight);
-    this.editor.shownLines = parseLines(this.#host.lines);
-    this.#sendAuthorAttributes((command) => this.send(command));
+    this.#author.apply((command) => this.send(command));
     this.#openLink?.changed();
-    this.#showCaption();
+    this.#author.showCaption(this.#language);
   }
 
   refit(): void {
-    this.#sendFrame((command) => this.send(command));
-  }
-
-  #sendAuthorAttributes(send: (command: Command) => void): void {
-    const { highlight, turret } = this.#host;
-    send({
-      kind: 'mark',
-      lines: parseLines(highlight).map(({ first, last }) => ({ firstLine: first - 1, endLine: last })),
-    });
-    this.#sendFrame(send);
-    send({ kind: 'turret', side: oneOf(SIDES, turret) });
-  }
-
-  #sendFrame(send: (command: Command) => void): void {
-    // A presentation shows the cuts as large as possible.
-    const presented = this.frame.dataset['presenting'] === undefined ? undefined : 'cuts';
-    send({ kind: 'frame', frame: oneOf(FRAMES, this.#host.fit) ?? presented });
-  }
-
-  #showCaption(): void {
-    const { container, caption } = this.#layout;
-    const text = this.#host.caption ?? '';
-    caption.hidden = text === '';
-    caption.textContent = text;
-    container.setAttribute('aria-label', text === '' ? WORDS[this.#language].playground : text);
+    this.#author.sendFrame((command) => this.send(command));
   }
 
   /** The attribute `step` has changed. */
@@ -668,21 +642,18 @@ function withoutFixes(event: ReportEvent): ReportEvent {
 
 const WORDS = words({
   en: {
-    playground: 'G-code playground',
     programLoading: (address: string) => `The program is being loaded: ${address}`,
     programFailed: (address: string, reason: string) => `The program could not be loaded from ${address} (${reason}).`,
     tryAgain: 'Try again',
     setupRejected: (reason: string) => `The setup was not accepted: ${reason}`,
   },
   zh: {
-    playground: 'G 代码演练场',
     programLoading: (address) => `正在加载程序：${address}`,
     programFailed: (address, reason) => `无法从 ${address} 加载程序（${reason}）。`,
     tryAgain: '重试',
     setupRejected: (reason) => `设置未被接受：${reason}`,
   },
   ru: {
-    playground: 'Песочница G-кода',
     programLoading: (address) => `Программа загружается: ${address}`,
     programFailed: (address, reason) => `Не удалось загрузить программу ${address} (${reason}).`,
     tryAgain: 'Повторить',
