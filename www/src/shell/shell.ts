@@ -28,7 +28,7 @@ import type {
   WordHelp,
 } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
-import { parseStep } from './author';
+import type { Step } from './author';
 import { AuthorSettings } from './author-settings';
 import { diagnosticsInFile, strokeInFile } from './file-offsets';
 import { HostContext } from './host-context';
@@ -37,6 +37,7 @@ import { Missing } from './missing';
 import type { OpenLink } from './open-link';
 import { hasMotions, PanelSet } from './panel-set';
 import { Paper } from './paper';
+import { PendingParts } from './pending-parts';
 import { Runs, type ReportedLoss } from './runs';
 import { Unfinished, type ReportEvent } from './unfinished';
 import { adoptStyles } from './style-sheets';
@@ -105,9 +106,7 @@ export class PlaygroundShell implements Shell {
   #diagnostics: readonly Diagnostic[] = [];
   readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
   #language: Language;
-  /** The parts that are still being loaded, and the run that is settled apart from them. */
-  readonly #pendingParts: Set<'panels' | 'editor' | 'program' | 'step' | 'link'>;
-  #settledRun: number | undefined;
+  readonly #pending: PendingParts;
   readonly #missing: Missing;
   /** Whether the newest run was reported. */
   #isReported = false;
@@ -126,11 +125,20 @@ export class PlaygroundShell implements Shell {
     });
     this.view = host.view;
     this.readonly = host.readonly;
-    this.#pendingParts = new Set([
-      ...(FURTHER[this.view] === undefined ? [] : (['panels'] as const)),
-      ...(this.showsProgram ? (['editor'] as const) : []),
-      ...(host.playground === '' ? [] : (['link'] as const)),
-    ]);
+    this.#pending = new PendingParts(
+      [
+        ...(FURTHER[this.view] === undefined ? [] : (['panels'] as const)),
+        ...(this.showsProgram ? (['editor'] as const) : []),
+        ...(host.playground === '' ? [] : (['link'] as const)),
+      ],
+      {
+        step: () => host.step,
+        complete: () => this.complete,
+        moveTool: (step) => this.#moveTool(step),
+        onUnsettled: () => events.onUnsettled(),
+        onSettled: (run) => events.onSettled(run),
+      },
+    );
     this.#context = new HostContext(host, {
       defaultSetup: () => this.#panels.findService('defaultSetup')?.() ?? null,
       onReplaced: () => this.#panels.notify((panel) => panel.onProgramReplaced?.('user')),
@@ -139,7 +147,7 @@ export class PlaygroundShell implements Shell {
     });
     this.editor = new Program(this.#language, host.readonly ? 'readonly' : 'editable', {
       onTextChanged: (input) => {
-        this.#pendingParts.delete('step');
+        this.#pending.dropStep();
         if (input === 'typed') this.#unfinished.onTyped();
         this.#runs.onTyped();
       },
@@ -217,14 +225,10 @@ export class PlaygroundShell implements Shell {
         this.#panels.notify((panel) => panel.onWorkerConnected?.((command) => client.send(command)));
       },
       onLost: (loss) => this.#onWorkerLost(loss),
-      onUnsettled: () => {
-        this.#settledRun = undefined;
-        events.onUnsettled();
-      },
+      onUnsettled: () => this.#pending.onRunUnsettled(),
       onSettled: (run) => {
         this.editor.flushDecorations();
-        this.#settledRun = run;
-        this.#settle();
+        this.#pending.onRunSettled(run);
         void this.#loadOpenLink();
       },
     });
@@ -293,31 +297,19 @@ export class PlaygroundShell implements Shell {
 
   /** The attribute `step` has changed. */
   stepChanged(): void {
-    if (parseStep(this.#host.step) === undefined) {
-      if (this.#pendingParts.has('step')) this.#partFinished('step');
-      return;
-    }
-    this.#pendingParts.add('step');
-    this.#events.onUnsettled();
-    if (this.#settledRun !== undefined) void this.#applyStep();
+    this.#pending.stepChanged();
   }
 
-  /** Moves the tool to the `step`, once the run is complete and its panels are loaded. */
-  async #applyStep(): Promise<void> {
-    const step = parseStep(this.#host.step);
-    const run = this.#settledRun;
-    if (step === undefined || !this.#pendingParts.has('step') || run === undefined) return;
-    await this.complete.catch(() => undefined);
-    // The user may have changed the program meanwhile.
-    if (run !== this.#settledRun || !this.#pendingParts.delete('step')) return;
-    const goTo = this.#panels.findService('goTo');
-    const goToBlock = this.#panels.findService('goToBlock');
-    if (step.kind === 'motion') await (goTo?.(step.motion) ?? this.ask('go-to', { motion: step.motion }));
-    else {
-      const offset = this.editor.startOfLine(step.line);
-      if (offset !== undefined) await (goToBlock?.(offset) ?? this.ask('seek-block', { offset }));
+  async #moveTool(step: Step): Promise<void> {
+    if (step.kind === 'motion') {
+      const goTo = this.#panels.findService('goTo');
+      await (goTo?.(step.motion) ?? this.ask('go-to', { motion: step.motion }));
+      return;
     }
-    this.#settle();
+    const offset = this.editor.startOfLine(step.line);
+    if (offset === undefined) return;
+    const goToBlock = this.#panels.findService('goToBlock');
+    await (goToBlock?.(offset) ?? this.ask('seek-block', { offset }));
   }
 
   readonly coloursChanged = (): void => this.#panels.notify((panel) => panel.onColoursChanged?.());
@@ -338,20 +330,19 @@ export class PlaygroundShell implements Shell {
     this.#runs.resetCursor();
     this.#runs.textChanged('fit');
     this.stepChanged();
-    this.#partFinished('program');
+    this.#pending.finish('program');
   }
 
   /** The program is being loaded: the element cannot settle before. */
   programLoading(address: string, how: 'started' | 'slow'): void {
     if (how === 'slow') return this.service('notice')(WORDS[this.#language].programLoading(address), 'source');
-    this.#pendingParts.add('program');
-    this.#events.onUnsettled();
+    this.#pending.add('program');
   }
 
   programFailed(address: string, reason: string, retry: () => void): void {
     const texts = WORDS[this.#language];
     this.service('notice')(texts.programFailed(address, reason), 'source', { title: texts.tryAgain, act: retry });
-    this.#partFinished('program');
+    this.#pending.finish('program');
   }
 
   /** Sets another text without an event for the page; the attributes stay. */
@@ -533,7 +524,7 @@ export class PlaygroundShell implements Shell {
       this.#missing.markFailed('panels', error, () => this.#loadFurther(load));
       throw error;
     } finally {
-      this.#partFinished('panels');
+      this.#pending.finish('panels');
     }
   }
 
@@ -553,18 +544,6 @@ export class PlaygroundShell implements Shell {
     });
   }
 
-  /** A part is loaded, or has failed. */
-  #partFinished(part: 'panels' | 'editor' | 'program' | 'step' | 'link'): void {
-    this.#pendingParts.delete(part);
-    this.#settle();
-  }
-
-  #settle(): void {
-    if (this.#settledRun === undefined) return;
-    if (this.#pendingParts.size === 0) this.#events.onSettled(this.#settledRun);
-    else if (this.#pendingParts.has('step') && this.#pendingParts.size === 1) void this.#applyStep();
-  }
-
   #loadEditorIfShown(): void {
     if (!this.showsProgram || this.#editorRequested) return;
     this.#editorRequested = true;
@@ -579,12 +558,12 @@ export class PlaygroundShell implements Shell {
     } catch (error) {
       this.#missing.markFailed('editor', error, () => void this.#loadEditor());
     }
-    this.#partFinished('editor');
+    this.#pending.finish('editor');
   }
 
   /** Loads the link to the playground after the picture, except on the playground's own page. */
   async #loadOpenLink(): Promise<void> {
-    if (this.#openLinkRequested || !this.#pendingParts.has('link')) return;
+    if (this.#openLinkRequested || !this.#pending.has('link')) return;
     this.#openLinkRequested = true;
     try {
       const { OpenLink } = await import('./open-link');
@@ -593,7 +572,7 @@ export class PlaygroundShell implements Shell {
     } catch {
       // Ignored: the picture works without the link.
     }
-    this.#partFinished('link');
+    this.#pending.finish('link');
   }
 
   #onPartFailed({ reason, neededFor }: Extract<CoreEvent, { readonly kind: 'part-failed' }>): void {
