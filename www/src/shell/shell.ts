@@ -5,7 +5,6 @@
 // is loaded later. Must not know: G-code. The interpreter, behind core-client.ts, handles the meaning of a program.
 
 import type { Language } from '../dom/language';
-import { importWithRetry } from '../dom/network';
 import { words } from '../dom/words';
 import type { Span } from '../editor/text-store';
 import { Program } from '../editor/program';
@@ -33,8 +32,8 @@ import { AuthorSettings } from './author-settings';
 import { diagnosticsInFile, strokeInFile } from './file-offsets';
 import { HostContext } from './host-context';
 import { createLayout, VIEW_CONTENTS, type Layout, type OptionalService, type View } from './layout';
+import { initialParts, LateLoading } from './late-loading';
 import { Missing } from './missing';
-import type { OpenLink } from './open-link';
 import { hasMotions, PanelSet } from './panel-set';
 import { Paper } from './paper';
 import { PendingParts } from './pending-parts';
@@ -75,30 +74,18 @@ interface ShellEvents {
   onSettled(run: number): void;
 }
 
-/** Every deployed `element.js` has a page beside it. A bundled element has none: its page must set `playground`. */
-const DEFAULT_PLAYGROUND = import.meta.url.endsWith('/element.js')
-  ? import.meta.url.replace(/element\.js$/, 'index.html')
-  : undefined;
-
-/** How long the editor waits for the first picture after a run has ended. */
-const EDITOR_AFTER_MS = 500;
-
 export class PlaygroundShell implements Shell {
   readonly root: ShadowRoot;
   readonly editor: Program;
   readonly view: View;
   readonly readonly: boolean;
   readonly frame: HTMLElement;
-  /** Resolved when all panels of the view are loaded; rejected if they could not be loaded. */
-  complete: Promise<void>;
   readonly #host: Host;
   readonly #events: ShellEvents;
   readonly #layout: Layout;
   readonly #panels: PanelSet;
   readonly #author: AuthorSettings;
   readonly #paper: Paper;
-  #openLink: OpenLink | undefined;
-  #openLinkRequested = false;
   readonly #context: HostContext;
   readonly #runs: Runs;
   readonly #unfinished: Unfinished;
@@ -107,13 +94,12 @@ export class PlaygroundShell implements Shell {
   readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
   #language: Language;
   readonly #pending: PendingParts;
+  readonly #late: LateLoading;
   readonly #missing: Missing;
   /** Whether the newest run was reported. */
   #isReported = false;
   /** Whether no run is in progress that would report the current program. */
   #isIdle = false;
-  /** Whether the editor is loaded or being loaded. */
-  #editorRequested = false;
   constructor(root: ShadowRoot, host: Host, events: ShellEvents) {
     this.root = root;
     this.#host = host;
@@ -125,20 +111,23 @@ export class PlaygroundShell implements Shell {
     });
     this.view = host.view;
     this.readonly = host.readonly;
-    this.#pending = new PendingParts(
-      [
-        ...(FURTHER[this.view] === undefined ? [] : (['panels'] as const)),
-        ...(this.showsProgram ? (['editor'] as const) : []),
-        ...(host.playground === '' ? [] : (['link'] as const)),
-      ],
-      {
-        step: () => host.step,
-        complete: () => this.complete,
-        moveTool: (step) => this.#moveTool(step),
-        onUnsettled: () => events.onUnsettled(),
-        onSettled: (run) => events.onSettled(run),
+    this.#pending = new PendingParts(initialParts(this.view, host.playground), {
+      step: () => host.step,
+      complete: () => this.complete,
+      moveTool: (step) => this.#moveTool(step),
+      onUnsettled: () => events.onUnsettled(),
+      onSettled: (run) => events.onSettled(run),
+    });
+    this.#late = new LateLoading({
+      view: this.view,
+      missing: this.#missing,
+      pending: this.#pending,
+      addPanels: ({ FURTHER, SHARED_STYLES }) => {
+        adoptStyles(root, SHARED_STYLES);
+        this.#panels.addLast(FURTHER, this, this.editor.file, this.#isIdle && !this.#isReported);
       },
-    );
+      loadEditor: () => this.editor.loadEditor(root),
+    });
     this.#context = new HostContext(host, {
       defaultSetup: () => this.#panels.findService('defaultSetup')?.() ?? null,
       onReplaced: () => this.#panels.notify((panel) => panel.onProgramReplaced?.('user')),
@@ -190,15 +179,12 @@ export class PlaygroundShell implements Shell {
           this.#onReport(received.report, shownEvent.report.diagnostics);
         else if (event.kind === 'part-failed') this.#onPartFailed(event);
         else if (event.kind === 'parts-loaded') this.#missing.markLoaded('parts');
-        // Wait a moment for the first picture, which a short program has soon. In a hidden tab it never comes.
-        if (event.kind === 'path' || event.kind === 'report')
-          setTimeout(() => this.#loadEditorIfShown(), EDITOR_AFTER_MS);
-        else if (event.kind === 'progress' || event.kind === 'part-failed') this.#loadEditorIfShown();
+        this.#late.onEvent(event);
       },
       onPictures: (pictures, scale) => {
         this.#panels.notify((panel) => panel.onPictures?.(pictures, scale));
         this.#layout.fallback.hidden = true;
-        this.#loadEditorIfShown();
+        this.#late.loadEditorIfShown();
       },
       onInputChanged: () => {
         this.#isReported = false;
@@ -214,10 +200,7 @@ export class PlaygroundShell implements Shell {
         this.#panels.onRunStarted();
       },
       onSent: () => events.onChange(),
-      onReady: () => {
-        // In views with a picture, load the editor later, so that it does not compete for the network.
-        if (!VIEW_CONTENTS[this.view].picture) this.#loadEditorIfShown();
-      },
+      onReady: () => this.#late.onReady(),
       onConnected: (client) => {
         this.#missing.markLoaded('parts');
         client.send({ kind: 'language', tag: this.#language });
@@ -229,7 +212,7 @@ export class PlaygroundShell implements Shell {
       onSettled: (run) => {
         this.editor.flushDecorations();
         this.#pending.onRunSettled(run);
-        void this.#loadOpenLink();
+        void this.#late.loadLink(host, this.frame);
       },
     });
     this.#unfinished = new Unfinished(this.editor, (event) => {
@@ -248,9 +231,13 @@ export class PlaygroundShell implements Shell {
     this.#paper = new Paper((from, to) => this.editor.textBetween(from, to));
     layout.container.append(this.#paper.element);
     root.append(layout.container);
-    const further = FURTHER[this.view];
-    this.complete = Promise.resolve();
-    if (further !== undefined) this.#loadFurther(further);
+    // The panels have a better print layout.
+    this.#late.loadPanels(() => this.#paper.end());
+  }
+
+  /** Resolved when all panels of the view are loaded; rejected if they could not be loaded. */
+  get complete(): Promise<void> {
+    return this.#late.panels;
   }
 
   // ---- for the element ----------------------------------------------------------------------------
@@ -275,7 +262,7 @@ export class PlaygroundShell implements Shell {
 
   languageChanged(): void {
     this.#language = this.#host.language;
-    this.#openLink?.changed();
+    this.#late.updateLink();
     this.#author.showCaption(this.#language);
     this.#missing.language = this.#language;
     // Answers to questions that a panel asks from now on are in this language.
@@ -287,7 +274,7 @@ export class PlaygroundShell implements Shell {
   /** Applies the author's attributes for lines, picture and caption. */
   authorChanged(): void {
     this.#author.apply((command) => this.send(command));
-    this.#openLink?.changed();
+    this.#late.updateLink();
     this.#author.showCaption(this.#language);
   }
 
@@ -507,27 +494,6 @@ export class PlaygroundShell implements Shell {
 
   // ---- between them -------------------------------------------------------------------------------
 
-  #loadFurther(further: () => Promise<Further>): void {
-    this.complete = this.#addFurther(further);
-    // The panels have a better print layout. Callers of `complete` handle a rejection, and the user sees a notice.
-    this.complete.then(() => this.#paper.end()).catch(() => undefined);
-  }
-
-  /** Loads the panels that the picture does not need, and replays the missed events to them. */
-  async #addFurther(load: () => Promise<Further>): Promise<void> {
-    try {
-      const { FURTHER, SHARED_STYLES } = await importWithRetry(load);
-      this.#missing.markLoaded('panels');
-      adoptStyles(this.root, SHARED_STYLES);
-      this.#panels.addLast(FURTHER, this, this.editor.file, this.#isIdle && !this.#isReported);
-    } catch (error) {
-      this.#missing.markFailed('panels', error, () => this.#loadFurther(load));
-      throw error;
-    } finally {
-      this.#pending.finish('panels');
-    }
-  }
-
   /** `shown`: the problems without those that are held back. */
   #onReport(report: Report, shown: readonly Diagnostic[]): void {
     const { summary, diagnostics, setupRejected } = report;
@@ -542,37 +508,6 @@ export class PlaygroundShell implements Shell {
       summary,
       diagnostics: diagnosticsInFile(diagnostics, this.editor),
     });
-  }
-
-  #loadEditorIfShown(): void {
-    if (!this.showsProgram || this.#editorRequested) return;
-    this.#editorRequested = true;
-    void this.#loadEditor();
-  }
-
-  /** Replaces the plain text with the editor. */
-  async #loadEditor(): Promise<void> {
-    try {
-      await this.editor.loadEditor(this.root);
-      this.#missing.markLoaded('editor');
-    } catch (error) {
-      this.#missing.markFailed('editor', error, () => void this.#loadEditor());
-    }
-    this.#pending.finish('editor');
-  }
-
-  /** Loads the link to the playground after the picture, except on the playground's own page. */
-  async #loadOpenLink(): Promise<void> {
-    if (this.#openLinkRequested || !this.#pending.has('link')) return;
-    this.#openLinkRequested = true;
-    try {
-      const { OpenLink } = await import('./open-link');
-      this.#openLink = new OpenLink(this.#host, DEFAULT_PLAYGROUND);
-      this.frame.append(this.#openLink.element);
-    } catch {
-      // Ignored: the picture works without the link.
-    }
-    this.#pending.finish('link');
   }
 
   #onPartFailed({ reason, neededFor }: Extract<CoreEvent, { readonly kind: 'part-failed' }>): void {
@@ -596,22 +531,9 @@ export class PlaygroundShell implements Shell {
     const retry = (): void => this.#runs.restart();
     if (loss.kind === 'load-failed') this.#missing.markFailed('interpreter', loss.reason, retry);
     else this.#missing.markLost(loss.kind, retry);
-    this.#loadEditorIfShown();
+    this.#late.loadEditorIfShown();
   }
 }
-
-/** The panels of a view that are loaded after the first picture. */
-interface Further {
-  readonly FURTHER: readonly PanelKind[];
-  readonly SHARED_STYLES: readonly string[];
-}
-
-const FURTHER: Readonly<Record<View, (() => Promise<Further>) | undefined>> = {
-  all: () => import('../panels/further'),
-  picture: undefined,
-  playback: () => import('../panels/with-playback'),
-  code: () => import('../panels/with-code'),
-};
 
 /** Removes the fixes, which are useless if the program is read-only. */
 function withoutFixes(event: ReportEvent): ReportEvent {
