@@ -10,35 +10,31 @@ import type { Span } from '../editor/text-store';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
-import type { NewestQuestion, PanelKind, Region, Services, Shell, UserCommand } from '../panels/panel';
+import type { NewestQuestion, Region, Services, Shell, UserCommand } from '../panels/panel';
 import type {
   Answer,
   Command,
   CompletionHelp,
   Diagnostic,
-  Help,
   HelpRequest,
   QuestionKind,
   Questions,
   Readout,
-  Report,
   Stroke,
-  Summary,
-  WordHelp,
 } from '../protocol/protocol';
-import type { CoreEvent } from '../worker/core-client';
 import type { Step } from './author';
 import { AuthorSettings } from './author-settings';
-import { diagnosticsInFile, strokeInFile } from './file-offsets';
+import { strokeInFile } from './file-offsets';
 import { HostContext } from './host-context';
 import { createLayout, VIEW_CONTENTS, type Layout, type OptionalService, type View } from './layout';
 import { initialParts, LateLoading } from './late-loading';
 import { Missing } from './missing';
-import { hasMotions, PanelSet } from './panel-set';
+import { PanelSet } from './panel-set';
 import { Paper } from './paper';
 import { PendingParts } from './pending-parts';
-import { Runs, type ReportedLoss } from './runs';
-import { Unfinished, type ReportEvent } from './unfinished';
+import { completionAt, wordAt } from './place-help';
+import { RunReports } from './run-reports';
+import { Runs } from './runs';
 import { adoptStyles } from './style-sheets';
 
 /** The element, whose attributes set how the program is run. */
@@ -88,18 +84,16 @@ export class PlaygroundShell implements Shell {
   readonly #paper: Paper;
   readonly #context: HostContext;
   readonly #runs: Runs;
-  readonly #unfinished: Unfinished;
-  /** All problems of the newest report, also those that are held back. */
-  #diagnostics: readonly Diagnostic[] = [];
+  readonly #reports: RunReports;
   readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
   #language: Language;
   readonly #pending: PendingParts;
   readonly #late: LateLoading;
+  readonly #help = {
+    revision: () => this.editor.revision,
+    ask: (request: HelpRequest) => this.ask('help', request),
+  };
   readonly #missing: Missing;
-  /** Whether the newest run was reported. */
-  #isReported = false;
-  /** Whether no run is in progress that would report the current program. */
-  #isIdle = false;
   constructor(root: ShadowRoot, host: Host, events: ShellEvents) {
     this.root = root;
     this.#host = host;
@@ -124,7 +118,7 @@ export class PlaygroundShell implements Shell {
       pending: this.#pending,
       addPanels: ({ FURTHER, SHARED_STYLES }) => {
         adoptStyles(root, SHARED_STYLES);
-        this.#panels.addLast(FURTHER, this, this.editor.file, this.#isIdle && !this.#isReported);
+        this.#panels.addLast(FURTHER, this, this.editor.file, this.#reports.hasFailed);
       },
       loadEditor: () => this.editor.loadEditor(root),
     });
@@ -137,7 +131,7 @@ export class PlaygroundShell implements Shell {
     this.editor = new Program(this.#language, host.readonly ? 'readonly' : 'editable', {
       onTextChanged: (input) => {
         this.#pending.dropStep();
-        if (input === 'typed') this.#unfinished.onTyped();
+        if (input === 'typed') this.#reports.onTyped();
         this.#runs.onTyped();
       },
       context: () => this.#context.current,
@@ -148,14 +142,14 @@ export class PlaygroundShell implements Shell {
       },
       onCursorMoved: () => {
         this.#runs.cursorMoved();
-        this.#unfinished.onCursorMoved();
+        this.#reports.onCursorMoved();
         this.#panels.notify((panel) => panel.onCursorMoved?.());
       },
       onTrialChanged: () => {
         this.#runs.requestRun('keep');
         this.#panels.notify((panel) => panel.onTrialChanged?.());
       },
-      wordAt: (offset) => this.#wordAt(offset),
+      wordAt: (offset) => wordAt(this.#help, offset),
       completionAt: (offset, isExplicit) => this.completionAt(offset, isExplicit),
       onShowProgram: () => this.#panels.notify((panel) => panel.onShowProgram?.()),
       onCompletionFailed: (reason, retry) => this.#missing.markFailed('completion', reason, retry),
@@ -171,14 +165,7 @@ export class PlaygroundShell implements Shell {
     this.#runs = new Runs(this.editor, {
       setup: () => this.#context.mergedSetup(),
       onEvent: (event) => {
-        const received = this.readonly && event.kind === 'report' ? withoutFixes(event) : event;
-        const shownEvent = received.kind === 'report' ? this.#unfinished.shown(received) : received;
-        this.#panels.onEvent(shownEvent);
-        if (event.kind === 'path' || event.kind === 'report') this.#missing.markLoaded('interpreter');
-        if (received.kind === 'report' && shownEvent.kind === 'report')
-          this.#onReport(received.report, shownEvent.report.diagnostics);
-        else if (event.kind === 'part-failed') this.#onPartFailed(event);
-        else if (event.kind === 'parts-loaded') this.#missing.markLoaded('parts');
+        this.#reports.onEvent(event);
         this.#late.onEvent(event);
       },
       onPictures: (pictures, scale) => {
@@ -186,19 +173,10 @@ export class PlaygroundShell implements Shell {
         this.#layout.fallback.hidden = true;
         this.#late.loadEditorIfShown();
       },
-      onInputChanged: () => {
-        this.#isReported = false;
-        this.#unfinished.drop();
-        this.#panels.onInputChanged();
-        if (this.#isIdle) this.#onRunFailed();
-      },
+      onInputChanged: () => this.#reports.onInputChanged(),
       onTextChanged: () => this.service('hideNotice')('program'),
       onRunRequested: () => this.#missing.onEdit(),
-      onRunStarted: () => {
-        this.#missing.markRetrying('interpreter');
-        this.#isIdle = false;
-        this.#panels.onRunStarted();
-      },
+      onRunStarted: () => this.#reports.onRunStarted(),
       onSent: () => events.onChange(),
       onReady: () => this.#late.onReady(),
       onConnected: (client) => {
@@ -207,17 +185,16 @@ export class PlaygroundShell implements Shell {
         this.#author.sendInitial((command) => client.send(command));
         this.#panels.notify((panel) => panel.onWorkerConnected?.((command) => client.send(command)));
       },
-      onLost: (loss) => this.#onWorkerLost(loss),
+      onLost: (loss) => {
+        this.#reports.onLost(loss);
+        this.#late.loadEditorIfShown();
+      },
       onUnsettled: () => this.#pending.onRunUnsettled(),
       onSettled: (run) => {
         this.editor.flushDecorations();
         this.#pending.onRunSettled(run);
         void this.#late.loadLink(host, this.frame);
       },
-    });
-    this.#unfinished = new Unfinished(this.editor, (event) => {
-      this.#panels.onEvent(event);
-      this.editor.diagnostics = event.report.diagnostics;
     });
     const layout = (this.#layout = createLayout(this.view, this.editor.element));
     this.frame = layout.frame;
@@ -226,6 +203,17 @@ export class PlaygroundShell implements Shell {
     this.#panels = new PanelSet({ root, regions: layout.regions, view, controls, readonly, language });
     // Before the editor is loaded, too.
     this.editor.element.addEventListener('keydown', () => this.#missing.onEdit());
+    this.#reports = new RunReports({
+      editor: this.editor,
+      panels: this.#panels,
+      missing: this.#missing,
+      readonly,
+      language: () => this.#language,
+      setupError: () => this.#context.setupError,
+      loadParts: () => this.send({ kind: 'load-parts' }),
+      restart: () => this.#runs.restart(),
+      fire: (type, detail) => events.fire(type, detail),
+    });
     this.#panels.add(VIEW_CONTENTS[view].picture ? PICTURES : ALWAYS, this);
     this.authorChanged();
     this.#paper = new Paper((from, to) => this.editor.textBetween(from, to));
@@ -255,7 +243,7 @@ export class PlaygroundShell implements Shell {
     this.#darkScheme.removeEventListener('change', this.coloursChanged);
     this.#paper.disconnect();
     this.#missing.cancelRetries();
-    this.#unfinished.drop();
+    this.#reports.disconnect();
     this.#panels.notify((panel) => panel.onDisconnected?.());
     this.#runs.end();
   }
@@ -358,7 +346,7 @@ export class PlaygroundShell implements Shell {
   }
 
   get diagnostics(): readonly Diagnostic[] {
-    return this.#diagnostics;
+    return this.#reports.diagnostics;
   }
 
   get setup(): string | null {
@@ -453,25 +441,9 @@ export class PlaygroundShell implements Shell {
     this.#onCursorSet(problem.from);
   }
 
-  async #wordAt(offset: number): Promise<WordHelp | undefined> {
-    // Retry for longer: the pointer still rests on the word.
-    return (await this.#helpAt({ by: 'pointer', about: 'word', offset }, 100))?.word;
-  }
-
   async completionAt(offset: number, isExplicit: boolean): Promise<CompletionHelp | undefined> {
     this.flush();
-    return (await this.#helpAt({ by: 'completion', about: 'completion', offset, isExplicit }, 20))?.completion;
-  }
-
-  /** Asks for help; asks again if a new run discards the answer while the text is unchanged. */
-  async #helpAt(ask: HelpRequest, delayMs: number): Promise<Help | undefined> {
-    const { revision } = this.editor;
-    for (let tries = 0; tries < 10 && this.editor.revision === revision; tries++) {
-      const help = await this.ask('help', ask);
-      if (help !== undefined) return help;
-      await new Promise((done) => setTimeout(done, delayMs));
-    }
-    return undefined;
+    return completionAt(this.#help, offset, isExplicit);
   }
 
   /** The page has moved the cursor on behalf of the user. */
@@ -493,52 +465,6 @@ export class PlaygroundShell implements Shell {
   }
 
   // ---- between them -------------------------------------------------------------------------------
-
-  /** `shown`: the problems without those that are held back. */
-  #onReport(report: Report, shown: readonly Diagnostic[]): void {
-    const { summary, diagnostics, setupRejected } = report;
-    this.#diagnostics = diagnostics;
-    this.#isReported = true;
-    const rejected = this.#context.setupError ?? setupRejected;
-    if (rejected === undefined) this.service('hideNotice')('setup');
-    else this.service('notice')(WORDS[this.#language].setupRejected(rejected), 'setup');
-    this.#panels.available = hasMotions(report);
-    this.editor.diagnostics = shown;
-    this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', {
-      summary,
-      diagnostics: diagnosticsInFile(diagnostics, this.editor),
-    });
-  }
-
-  #onPartFailed({ reason, neededFor }: Extract<CoreEvent, { readonly kind: 'part-failed' }>): void {
-    this.#missing.markFailed('parts', reason, () => this.send({ kind: 'load-parts' }));
-    if (neededFor === 'the-report') this.#onRunFailed();
-  }
-
-  #onRunFailed(): void {
-    this.#isIdle = true;
-    this.#panels.available = false;
-    this.editor.diagnostics = [];
-    this.#panels.notify((panel) => panel.onRunFailed?.());
-  }
-
-  #onWorkerLost(loss: ReportedLoss): void {
-    console.error('gcode-playground: the interpreter was lost', loss);
-    this.#panels.available = false;
-    this.#panels.onWorkerLost();
-    this.#isIdle = true;
-    if (!this.#isReported) this.#onRunFailed();
-    const retry = (): void => this.#runs.restart();
-    if (loss.kind === 'load-failed') this.#missing.markFailed('interpreter', loss.reason, retry);
-    else this.#missing.markLost(loss.kind, retry);
-    this.#late.loadEditorIfShown();
-  }
-}
-
-/** Removes the fixes, which are useless if the program is read-only. */
-function withoutFixes(event: ReportEvent): ReportEvent {
-  const diagnostics = event.report.diagnostics.map((diagnostic) => ({ ...diagnostic, fixes: [] }));
-  return { ...event, report: { ...event.report, diagnostics } };
 }
 
 const WORDS = words({
@@ -546,18 +472,15 @@ const WORDS = words({
     programLoading: (address: string) => `The program is being loaded: ${address}`,
     programFailed: (address: string, reason: string) => `The program could not be loaded from ${address} (${reason}).`,
     tryAgain: 'Try again',
-    setupRejected: (reason: string) => `The setup was not accepted: ${reason}`,
   },
   zh: {
     programLoading: (address) => `正在加载程序：${address}`,
     programFailed: (address, reason) => `无法从 ${address} 加载程序（${reason}）。`,
     tryAgain: '重试',
-    setupRejected: (reason) => `设置未被接受：${reason}`,
   },
   ru: {
     programLoading: (address) => `Программа загружается: ${address}`,
     programFailed: (address, reason) => `Не удалось загрузить программу ${address} (${reason}).`,
     tryAgain: 'Повторить',
-    setupRejected: (reason) => `Наладка отклонена: ${reason}`,
   },
 });
