@@ -51,6 +51,11 @@ export class HostContext {
     this.#events.fire('gcode-context', context);
   }
 
+  /** The attribute `setup`, JSON. */
+  get setup(): string | null {
+    return this.#host.setup;
+  }
+
   /** The user has changed the setup, JSON. */
   changeSetup(setup: string | null): void {
     const host = this.#host;

@@ -5,36 +5,25 @@
 // is loaded later. Must not know: G-code. The interpreter, behind core-client.ts, handles the meaning of a program.
 
 import type { Language } from '../dom/language';
-import { words } from '../dom/words';
 import type { Span } from '../editor/text-store';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
-import type { NewestQuestion, Region, Services, Shell, UserCommand } from '../panels/panel';
-import type {
-  Answer,
-  Command,
-  CompletionHelp,
-  Diagnostic,
-  HelpRequest,
-  QuestionKind,
-  Questions,
-  Readout,
-  Stroke,
-} from '../protocol/protocol';
+import type { Services, UserCommand } from '../panels/panel';
+import type { Answer, Command, QuestionKind, Questions } from '../protocol/protocol';
 import type { Step } from './author';
 import { AuthorSettings } from './author-settings';
-import { strokeInFile } from './file-offsets';
 import { HostContext } from './host-context';
-import { createLayout, VIEW_CONTENTS, type Layout, type OptionalService, type View } from './layout';
+import { createLayout, VIEW_CONTENTS, type OptionalService, type View } from './layout';
 import { initialParts, LateLoading } from './late-loading';
 import { Missing } from './missing';
 import { PanelSet } from './panel-set';
 import { Paper } from './paper';
 import { PendingParts } from './pending-parts';
-import { completionAt, wordAt } from './place-help';
 import { RunReports } from './run-reports';
 import { Runs } from './runs';
+import { ShellForPanels } from './shell-for-panels';
+import { showFailedLoad, showSlowLoad } from './source-notice';
 import { adoptStyles } from './style-sheets';
 
 /** The element, whose attributes set how the program is run. */
@@ -70,15 +59,10 @@ interface ShellEvents {
   onSettled(run: number): void;
 }
 
-export class PlaygroundShell implements Shell {
-  readonly root: ShadowRoot;
+export class PlaygroundShell {
   readonly editor: Program;
   readonly view: View;
-  readonly readonly: boolean;
-  readonly frame: HTMLElement;
   readonly #host: Host;
-  readonly #events: ShellEvents;
-  readonly #layout: Layout;
   readonly #panels: PanelSet;
   readonly #author: AuthorSettings;
   readonly #paper: Paper;
@@ -89,22 +73,17 @@ export class PlaygroundShell implements Shell {
   #language: Language;
   readonly #pending: PendingParts;
   readonly #late: LateLoading;
-  readonly #help = {
-    revision: () => this.editor.revision,
-    ask: (request: HelpRequest) => this.ask('help', request),
-  };
   readonly #missing: Missing;
+  readonly #shell: ShellForPanels;
+
   constructor(root: ShadowRoot, host: Host, events: ShellEvents) {
-    this.root = root;
     this.#host = host;
-    this.#events = events;
     this.#language = host.language;
     this.#missing = new Missing(this.#language, {
       show: (text, action) => this.service('notice')(text, 'missing', action),
       hide: () => this.service('hideNotice')('missing'),
     });
     this.view = host.view;
-    this.readonly = host.readonly;
     this.#pending = new PendingParts(initialParts(this.view, host.playground), {
       step: () => host.step,
       complete: () => this.complete,
@@ -118,7 +97,7 @@ export class PlaygroundShell implements Shell {
       pending: this.#pending,
       addPanels: ({ FURTHER, SHARED_STYLES }) => {
         adoptStyles(root, SHARED_STYLES);
-        this.#panels.addLast(FURTHER, this, this.editor.file, this.#reports.hasFailed);
+        this.#panels.addLast(FURTHER, this.#shell, this.editor.file, this.#reports.hasFailed);
       },
       loadEditor: () => this.editor.loadEditor(root),
     });
@@ -149,8 +128,8 @@ export class PlaygroundShell implements Shell {
         this.#runs.requestRun('keep');
         this.#panels.notify((panel) => panel.onTrialChanged?.());
       },
-      wordAt: (offset) => wordAt(this.#help, offset),
-      completionAt: (offset, isExplicit) => this.completionAt(offset, isExplicit),
+      wordAt: (offset) => this.#shell.wordAt(offset),
+      completionAt: (offset, isExplicit) => this.#shell.completionAt(offset, isExplicit),
       onShowProgram: () => this.#panels.notify((panel) => panel.onShowProgram?.()),
       onCompletionFailed: (reason, retry) => this.#missing.markFailed('completion', reason, retry),
       onCompletionLoaded: () => this.#missing.markLoaded('completion'),
@@ -158,10 +137,11 @@ export class PlaygroundShell implements Shell {
       onViewMoved: () => void this.#runs.askTokens(),
       onFileChanged: () => this.#panels.notify((panel) => panel.onFileChanged?.(this.editor.file)),
       onPasted: (from, to) => {
-        this.markAsInserted();
+        this.#runs.markAsInserted();
         this.#panels.notify((panel) => panel.onTextInserted?.(from, to));
       },
     });
+    const layout = createLayout(this.view, this.editor.element);
     this.#runs = new Runs(this.editor, {
       setup: () => this.#context.mergedSetup(),
       onEvent: (event) => {
@@ -170,7 +150,7 @@ export class PlaygroundShell implements Shell {
       },
       onPictures: (pictures, scale) => {
         this.#panels.notify((panel) => panel.onPictures?.(pictures, scale));
-        this.#layout.fallback.hidden = true;
+        layout.fallback.hidden = true;
         this.#late.loadEditorIfShown();
       },
       onInputChanged: () => this.#reports.onInputChanged(),
@@ -193,11 +173,9 @@ export class PlaygroundShell implements Shell {
       onSettled: (run) => {
         this.editor.flushDecorations();
         this.#pending.onRunSettled(run);
-        void this.#late.loadLink(host, this.frame);
+        void this.#late.loadLink(host, layout.frame);
       },
     });
-    const layout = (this.#layout = createLayout(this.view, this.editor.element));
-    this.frame = layout.frame;
     this.#author = new AuthorSettings(host, this.editor, layout);
     const { view, controls, readonly, language } = host;
     this.#panels = new PanelSet({ root, regions: layout.regions, view, controls, readonly, language });
@@ -210,11 +188,26 @@ export class PlaygroundShell implements Shell {
       readonly,
       language: () => this.#language,
       setupError: () => this.#context.setupError,
-      loadParts: () => this.send({ kind: 'load-parts' }),
+      loadParts: () => this.#send({ kind: 'load-parts' }),
       restart: () => this.#runs.restart(),
       fire: (type, detail) => events.fire(type, detail),
     });
-    this.#panels.add(VIEW_CONTENTS[view].picture ? PICTURES : ALWAYS, this);
+    this.#shell = new ShellForPanels({
+      root,
+      frame: layout.frame,
+      editor: this.editor,
+      readonly,
+      language: () => this.#language,
+      showsProgram: VIEW_CONTENTS[view].program,
+      panels: this.#panels,
+      runs: this.#runs,
+      reports: this.#reports,
+      context: this.#context,
+      author: this.#author,
+      fire: (type, detail) => events.fire(type, detail),
+      onChange: () => events.onChange(),
+    });
+    this.#panels.add(VIEW_CONTENTS[view].picture ? PICTURES : ALWAYS, this.#shell);
     this.authorChanged();
     this.#paper = new Paper((from, to) => this.editor.textBetween(from, to));
     layout.container.append(this.#paper.element);
@@ -254,20 +247,16 @@ export class PlaygroundShell implements Shell {
     this.#author.showCaption(this.#language);
     this.#missing.language = this.#language;
     // Answers to questions that a panel asks from now on are in this language.
-    this.send({ kind: 'language', tag: this.#language });
+    this.#send({ kind: 'language', tag: this.#language });
     this.#panels.language = this.#language;
     this.editor.language = this.#language;
   }
 
   /** Applies the author's attributes for lines, picture and caption. */
   authorChanged(): void {
-    this.#author.apply((command) => this.send(command));
+    this.#author.apply((command) => this.#send(command));
     this.#late.updateLink();
     this.#author.showCaption(this.#language);
-  }
-
-  refit(): void {
-    this.#author.sendFrame((command) => this.send(command));
   }
 
   /** The attribute `step` has changed. */
@@ -310,13 +299,12 @@ export class PlaygroundShell implements Shell {
 
   /** The program is being loaded: the element cannot settle before. */
   programLoading(address: string, how: 'started' | 'slow'): void {
-    if (how === 'slow') return this.service('notice')(WORDS[this.#language].programLoading(address), 'source');
+    if (how === 'slow') return showSlowLoad(this.#panels, this.#language, address);
     this.#pending.add('program');
   }
 
   programFailed(address: string, reason: string, retry: () => void): void {
-    const texts = WORDS[this.#language];
-    this.service('notice')(texts.programFailed(address, reason), 'source', { title: texts.tryAgain, act: retry });
+    showFailedLoad(this.#panels, this.#language, { address, reason, retry });
     this.#pending.finish('program');
   }
 
@@ -335,152 +323,32 @@ export class PlaygroundShell implements Shell {
     this.#panels.handleKey(event);
   }
 
-  // ---- for the panels -----------------------------------------------------------------------------
-
-  get language(): Language {
-    return this.#language;
-  }
-
+  /** What the user can do, for the command palette of the page. */
   get commands(): readonly UserCommand[] {
     return this.#panels.commands;
-  }
-
-  get diagnostics(): readonly Diagnostic[] {
-    return this.#reports.diagnostics;
-  }
-
-  get setup(): string | null {
-    return this.#host.setup;
-  }
-
-  get showsProgram(): boolean {
-    return VIEW_CONTENTS[this.view].program;
   }
 
   offers(name: OptionalService): boolean {
     return VIEW_CONTENTS[this.view].offers.includes(name);
   }
 
-  region(region: Region): HTMLElement {
-    return this.#panels.regions[region];
-  }
-
   service<S extends keyof Services>(name: S): Services[S] {
     return this.#panels.service(name);
-  }
-
-  hasService(name: keyof Services): boolean {
-    return this.#panels.findService(name) !== undefined;
-  }
-
-  send(command: Command): void {
-    this.#runs.client?.send(command);
   }
 
   async ask<K extends QuestionKind>(about: K, ask: Questions[K]['args']): Promise<Answer<K> | undefined> {
     return this.#runs.client?.ask(about, ask);
   }
 
-  newest<K extends QuestionKind>(about: K, answered: (answer: Answer<K>) => void): NewestQuestion<K> {
-    return this.#runs.newest(about, answered);
-  }
-
   flush(): void {
     this.#runs.flush();
   }
 
-  commitEdit(): void {
-    this.#runs.send();
-  }
-
-  rewrite(text: string): void {
-    this.editor.rewrite(text);
-    this.#runs.resetCursor();
-    this.#runs.send();
-  }
-
-  replaceProgram(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void {
-    if (as === 'another') {
-      const context = this.#context.neutral;
-      this.editor.setText(program, file, 'undoable', context);
-      this.#context.replace(context);
-    } else this.editor.setText(program, file, 'undoable');
-    this.#runs.resetCursor();
-    this.#runs.textChanged('fit');
-    this.notifyFileChanged();
-    if (as === 'another') this.#panels.notify((panel) => panel.onTextInserted?.(0, this.editor.length));
-  }
-
-  addStyles(styles: string): void {
-    adoptStyles(this.root, [styles]);
-  }
-
-  notifyFileChanged(): void {
-    this.#events.onChange();
-  }
-
-  markAsInserted(): void {
-    this.#runs.markAsInserted();
-  }
-
   goTo(span: Span): void {
-    this.editor.select(span);
-    this.editor.focus();
-    this.#onCursorSet(span.from);
+    this.#shell.goTo(span);
   }
 
-  chooseStroke(stroke: Stroke, focus: 'focus' | 'keep-focus'): void {
-    this.editor.select(stroke);
-    if (focus === 'focus') this.editor.focus();
-    this.#onCursorSet(stroke.from);
-    this.#events.fire('gcode-select', { stroke: strokeInFile(stroke, this.editor) });
+  #send(command: Command): void {
+    this.#runs.client?.send(command);
   }
-
-  chooseProblem(problem: Diagnostic): void {
-    this.editor.selectProblem(problem);
-    this.#onCursorSet(problem.from);
-  }
-
-  async completionAt(offset: number, isExplicit: boolean): Promise<CompletionHelp | undefined> {
-    this.flush();
-    return completionAt(this.#help, offset, isExplicit);
-  }
-
-  /** The page has moved the cursor on behalf of the user. */
-  #onCursorSet(offset: number): void {
-    this.#runs.setCursor(offset);
-    this.#panels.notify((panel) => panel.onCursorMoved?.());
-  }
-
-  notifyToolMoved(place: Readout | undefined): void {
-    this.#panels.notify((panel) => panel.onToolMoved?.(place));
-  }
-
-  changeSetup(setup: string | null): void {
-    this.#context.changeSetup(setup);
-  }
-
-  setSwitches(switches: { readonly blockSkip?: string; readonly program?: string }): void {
-    this.#context.setSwitches(switches);
-  }
-
-  // ---- between them -------------------------------------------------------------------------------
 }
-
-const WORDS = words({
-  en: {
-    programLoading: (address: string) => `The program is being loaded: ${address}`,
-    programFailed: (address: string, reason: string) => `The program could not be loaded from ${address} (${reason}).`,
-    tryAgain: 'Try again',
-  },
-  zh: {
-    programLoading: (address) => `正在加载程序：${address}`,
-    programFailed: (address, reason) => `无法从 ${address} 加载程序（${reason}）。`,
-    tryAgain: '重试',
-  },
-  ru: {
-    programLoading: (address) => `Программа загружается: ${address}`,
-    programFailed: (address, reason) => `Не удалось загрузить программу ${address} (${reason}).`,
-    tryAgain: 'Повторить',
-  },
-});
