@@ -29,6 +29,7 @@ import { Prec, type Extension } from '@codemirror/state';
 import { EditorView, keymap, ViewPlugin, type Command, type KeyBinding, type ViewUpdate } from '@codemirror/view';
 import type { CompletionItem } from '../protocol/protocol';
 import { isCompletionEnabled } from './completion-setting';
+import { completionAt } from './place-help';
 import type { EditorEvents } from './text-store';
 import { rem } from './theme';
 
@@ -38,7 +39,7 @@ const MAX_WAIT_MS = 1000;
 export function completion(events: EditorEvents): Extension {
   const source = async (context: CompletionContext): Promise<CompletionResult | null> => {
     if (!context.explicit && !isCompletionEnabled()) return null;
-    const found = await events.completionAt(context.pos, context.explicit);
+    const found = await completionAt(events.help(), context.pos, context.explicit);
     // If the text has changed meanwhile, return an empty list, so that CodeMirror asks again. After `null` it would
     // wait until the next character.
     if (context.view?.state.doc !== context.state.doc) return { from: context.pos, filter: false, options: [] };

@@ -2,8 +2,9 @@
 //
 // Offsets count each line end as one unit. Only changes by the user fire events, not those by the page.
 
-import type { CompletionHelp, Fix, Setting, TextCommand, WordHelp } from '../protocol/protocol';
+import type { Fix, Setting, TextCommand } from '../protocol/protocol';
 import type { LineEnds } from '../files/line-ends';
+import type { HelpSource } from './place-help';
 import type { ProgramFile, ProgramText } from './program-text';
 
 export interface Span {
@@ -56,10 +57,8 @@ export interface EditorEvents extends TextEvents, ContextSource {
   onCursorMoved(): void;
   /** The tried values have changed, or their blocks have moved. */
   onTrialChanged(): void;
-  /** Help for the word at an offset; undefined if there is none, or it is not known yet. */
-  wordAt(offset: number): Promise<WordHelp | undefined>;
-  /** The proposals at an offset; `requested`: the user has requested them. */
-  completionAt(offset: number, requested: boolean): Promise<CompletionHelp | undefined>;
+  /** For help at a place (`place-help`). */
+  help(): HelpSource;
   /** Completion could not be loaded; `retry` tries again. */
   onCompletionFailed(reason: unknown, retry: () => void): void;
   onCompletionLoaded(): void;

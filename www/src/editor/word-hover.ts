@@ -9,6 +9,7 @@ import { EditorView, hoverTooltip, type Tooltip } from '@codemirror/view';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { WordHelp } from '../protocol/protocol';
+import { wordAt } from './place-help';
 import type { EditorEvents } from './text-store';
 import { wordCard } from './word-help';
 
@@ -23,7 +24,7 @@ export function wordHover(events: EditorEvents, language: () => Language): Exten
     // There is no help between words. A problem has priority: with both, the tooltip would move under the pointer.
     if (!/\S/.test(view.state.sliceDoc(at, at + 1)) || hasProblem(view.state, at)) return null;
     const { doc } = view.state;
-    let help: WordHelp | undefined = await events.wordAt(at);
+    let help: WordHelp | undefined = await wordAt(events.help(), at);
     // The interpreter describes the word that ends there, but the pointer is on the next character.
     if (view.state.doc === doc && doc.sliceString(at, at + 1) === ';' && (help === undefined || help.to <= at))
       help = { word: ';', title: WORDS[language()], facts: [], marks: [], from: at, to: at + 1 };

@@ -7,6 +7,7 @@
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import { COMMON, words } from '../dom/words';
+import { completionAt } from '../editor/place-help';
 import type { CodeRow, Codes, CompletionItem } from '../protocol/protocol';
 import { cycleFigure } from './cycle-figures';
 import type { Shell } from './panel';
@@ -33,7 +34,7 @@ export class CycleChooser {
   async open(insert: (chosen: CompletionItem) => void): Promise<void> {
     const { editor, language } = this.#shell;
     const [proposals, codes] = await Promise.all([
-      this.#shell.completionAt(editor.cursor, true),
+      completionAt(this.#shell, editor.cursor, true),
       this.#shell.ask('codes', undefined),
     ]);
     const texts = WORDS[language];

@@ -13,7 +13,6 @@ import type { ProgramFile, ProgramText } from '../editor/program-text';
 import type {
   Answer,
   Command,
-  CompletionHelp,
   Diagnostic,
   ExportResult,
   ExportFormat,
@@ -252,8 +251,6 @@ export interface Shell {
   ask<K extends QuestionKind>(about: K, ask: Questions[K]['args']): Promise<Answer<K> | undefined>;
   newest<K extends QuestionKind>(about: K, answered: (answer: Answer<K>) => void): NewestQuestion<K>;
 
-  /** The proposals at an offset; undefined if there are none, or the text has changed meanwhile. */
-  completionAt(offset: number, isExplicit: boolean): Promise<CompletionHelp | undefined>;
   /** Adds the style sheet of a part that is loaded on demand. */
   addStyles(styles: string): void;
 

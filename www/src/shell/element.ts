@@ -447,24 +447,24 @@ export class GcodePlayground extends Base {
 
   /** The position of the point X (a diameter), Z in mm, in CSS pixels of the window. */
   async locate(x: number, z: number): Promise<ClientPoint> {
-    return this.#shell.service('locate')('section', x, z);
+    return this.#shell.forPanels.service('locate')('section', x, z);
   }
 
   /** The same for the end face: X a diameter, C in mm. */
   async locateOnFace(x: number, c: number): Promise<ClientPoint> {
-    return this.#shell.service('locate')('face', x, c);
+    return this.#shell.forPanels.service('locate')('face', x, c);
   }
 
   /** The same for the side: Z in mm, C in degrees, or Y in mm if its ruler shows Y. */
   async locateOnSide(z: number, c: number): Promise<ClientPoint> {
-    return this.#shell.service('locate')('side', z, c);
+    return this.#shell.forPanels.service('locate')('side', z, c);
   }
 
   /** Opens a file as the program; undo restores the replaced one. */
   async openFile(file: File): Promise<void> {
     const shell = this.#shell;
     await shell.complete;
-    return shell.service('openFile')(file);
+    return shell.forPanels.service('openFile')(file);
   }
 
   /** Saves the program as a file, in the encoding and with the line ends of the opened file. */
@@ -476,7 +476,7 @@ export class GcodePlayground extends Base {
   async exported(format: ExportFormat): Promise<Uint8Array | undefined> {
     const shell = this.#shell;
     await shell.complete;
-    const exported = await shell.service('exported')(format);
+    const exported = await shell.forPanels.service('exported')(format);
     return exported?.kind === 'file' ? exported.content : undefined;
   }
 
@@ -491,7 +491,7 @@ export class GcodePlayground extends Base {
   async differenceFrom(other: OtherVersion): Promise<DifferenceResult | undefined> {
     const shell = this.#shell;
     await shell.complete;
-    return shell.ask('difference', other);
+    return shell.forPanels.ask('difference', other);
   }
 
   /** Ends the comparison that `keepPart` started; one that the user started continues. */
@@ -543,13 +543,13 @@ export class GcodePlayground extends Base {
 
   /** The current position of the tool in the format of `step`; null if the whole path is shown. */
   async currentStep(): Promise<string | null> {
-    const place = await this.#shell.ask('readout', undefined);
+    const place = await this.#shell.forPanels.ask('readout', undefined);
     if (place === undefined || place.share >= 1) return null;
     const { motion, x, z, atX, atZ } = place.stroke;
     // Within a motion, the last position with a number is the end of the previous motion.
     const isAtItsEnd = Math.abs(x - atX) < 1e-6 && Math.abs(z - atZ) < 1e-6;
     // A dwell ends where it begins. The end of the last motion does not count: it would show the whole path.
-    const isLast = (await this.#shell.ask('strokes', { first: motion + 1, end: motion + 2 }))?.length === 0;
+    const isLast = (await this.#shell.forPanels.ask('strokes', { first: motion + 1, end: motion + 2 }))?.length === 0;
     const done = isAtItsEnd && !isLast ? motion + 1 : motion;
     return done === 0 ? null : String(done);
   }
@@ -566,7 +566,7 @@ export class GcodePlayground extends Base {
     const text = lines[line - 1];
     if (text === undefined) return;
     const from = lines.slice(0, line - 1).reduce((length, before) => length + before.length + 1, 0);
-    this.#shell.goTo({ from, to: from + text.length });
+    this.#shell.forPanels.goTo({ from, to: from + text.length });
   }
 
   /**
@@ -585,8 +585,8 @@ export class GcodePlayground extends Base {
   /** The drawing as SVG, or the shown picture as PNG; undefined if there is none yet. */
   async pictureFile(format: 'svg' | 'png'): Promise<Blob | undefined> {
     const shell = this.#shell;
-    shell.flush();
-    const made = await shell.ask('export', { format });
+    shell.forPanels.flush();
+    const made = await shell.forPanels.ask('export', { format });
     return made?.kind === 'file'
       ? new Blob([made.content], { type: format === 'svg' ? 'image/svg+xml' : 'image/png' })
       : undefined;
@@ -600,7 +600,7 @@ export class GcodePlayground extends Base {
     const shell = this.#shell;
     if (!shell.offers(name)) throw new Error(`view="${shell.view}" does not offer ${name}`);
     void shell.complete.then(
-      () => callback(shell.service(name)),
+      () => callback(shell.forPanels.service(name)),
       () => undefined,
     );
   }

@@ -8,23 +8,11 @@ import type { Program } from '../editor/program';
 import type { ProgramFile, ProgramText } from '../editor/program-text';
 import type { Span } from '../editor/text-store';
 import type { NewestQuestion, Region, Services, Shell } from '../panels/panel';
-import type {
-  Answer,
-  Command,
-  CompletionHelp,
-  Diagnostic,
-  HelpRequest,
-  QuestionKind,
-  Questions,
-  Readout,
-  Stroke,
-  WordHelp,
-} from '../protocol/protocol';
+import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Stroke } from '../protocol/protocol';
 import type { AuthorSettings } from './author-settings';
 import { strokeInFile } from './file-offsets';
 import type { HostContext } from './host-context';
 import type { PanelSet } from './panel-set';
-import { completionAt, wordAt } from './place-help';
 import type { RunReports } from './run-reports';
 import type { Runs } from './runs';
 import { adoptStyles } from './style-sheets';
@@ -53,10 +41,6 @@ export class ShellForPanels implements Shell {
   readonly readonly: boolean;
   readonly showsProgram: boolean;
   readonly #parts: ShellParts;
-  readonly #help = {
-    revision: () => this.editor.revision,
-    ask: (request: HelpRequest) => this.ask('help', request),
-  };
 
   constructor(parts: ShellParts) {
     this.root = parts.root;
@@ -103,15 +87,6 @@ export class ShellForPanels implements Shell {
 
   newest<K extends QuestionKind>(about: K, answered: (answer: Answer<K>) => void): NewestQuestion<K> {
     return this.#parts.runs.newest(about, answered);
-  }
-
-  async wordAt(offset: number): Promise<WordHelp | undefined> {
-    return wordAt(this.#help, offset);
-  }
-
-  async completionAt(offset: number, isExplicit: boolean): Promise<CompletionHelp | undefined> {
-    this.flush();
-    return completionAt(this.#help, offset, isExplicit);
   }
 
   // ---- the program --------------------------------------------------------------------------------

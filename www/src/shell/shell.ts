@@ -5,12 +5,10 @@
 // is loaded later. Must not know: G-code. The interpreter, behind core-client.ts, handles the meaning of a program.
 
 import type { Language } from '../dom/language';
-import type { Span } from '../editor/text-store';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
-import type { Services, UserCommand } from '../panels/panel';
-import type { Answer, Command, QuestionKind, Questions } from '../protocol/protocol';
+import type { UserCommand } from '../panels/panel';
 import type { Step } from './author';
 import { AuthorSettings } from './author-settings';
 import { HostContext } from './host-context';
@@ -50,18 +48,19 @@ interface Host {
 
 /** Events for the page. */
 interface ShellEvents {
-  fire<Detail>(type: string, detail: Detail): void;
+  readonly fire: <Detail>(type: string, detail: Detail) => void;
   /** The user has changed the program or its file. */
-  onChange(): void;
+  readonly onChange: () => void;
   /** Something that may change the display is in progress. */
-  onUnsettled(): void;
+  readonly onUnsettled: () => void;
   /** Everything of this run is shown. */
-  onSettled(run: number): void;
+  readonly onSettled: (run: number) => void;
 }
 
 export class PlaygroundShell {
   readonly editor: Program;
   readonly view: View;
+  readonly forPanels: ShellForPanels;
   readonly #host: Host;
   readonly #panels: PanelSet;
   readonly #author: AuthorSettings;
@@ -74,22 +73,22 @@ export class PlaygroundShell {
   readonly #pending: PendingParts;
   readonly #late: LateLoading;
   readonly #missing: Missing;
-  readonly #shell: ShellForPanels;
 
   constructor(root: ShadowRoot, host: Host, events: ShellEvents) {
+    const { fire, onChange, onUnsettled, onSettled } = events;
     this.#host = host;
     this.#language = host.language;
     this.#missing = new Missing(this.#language, {
-      show: (text, action) => this.service('notice')(text, 'missing', action),
-      hide: () => this.service('hideNotice')('missing'),
+      show: (text, action) => this.#panels.service('notice')(text, 'missing', action),
+      hide: () => this.#panels.service('hideNotice')('missing'),
     });
     this.view = host.view;
     this.#pending = new PendingParts(initialParts(this.view, host.playground), {
       step: () => host.step,
       complete: () => this.complete,
       moveTool: (step) => this.#moveTool(step),
-      onUnsettled: () => events.onUnsettled(),
-      onSettled: (run) => events.onSettled(run),
+      onUnsettled,
+      onSettled,
     });
     this.#late = new LateLoading({
       view: this.view,
@@ -97,7 +96,7 @@ export class PlaygroundShell {
       pending: this.#pending,
       addPanels: ({ FURTHER, SHARED_STYLES }) => {
         adoptStyles(root, SHARED_STYLES);
-        this.#panels.addLast(FURTHER, this.#shell, this.editor.file, this.#reports.hasFailed);
+        this.#panels.addLast(FURTHER, this.forPanels, this.editor.file, this.#reports.hasFailed);
       },
       loadEditor: () => this.editor.loadEditor(root),
     });
@@ -105,7 +104,7 @@ export class PlaygroundShell {
       defaultSetup: () => this.#panels.findService('defaultSetup')?.() ?? null,
       onReplaced: () => this.#panels.notify((panel) => panel.onProgramReplaced?.('user')),
       onSwitches: (switches) => this.#panels.onSwitchesChanged(switches),
-      fire: (type, detail) => events.fire(type, detail),
+      fire,
     });
     this.editor = new Program(this.#language, host.readonly ? 'readonly' : 'editable', {
       onTextChanged: (input) => {
@@ -128,12 +127,11 @@ export class PlaygroundShell {
         this.#runs.requestRun('keep');
         this.#panels.notify((panel) => panel.onTrialChanged?.());
       },
-      wordAt: (offset) => this.#shell.wordAt(offset),
-      completionAt: (offset, isExplicit) => this.#shell.completionAt(offset, isExplicit),
+      help: () => this.forPanels,
       onShowProgram: () => this.#panels.notify((panel) => panel.onShowProgram?.()),
       onCompletionFailed: (reason, retry) => this.#missing.markFailed('completion', reason, retry),
       onCompletionLoaded: () => this.#missing.markLoaded('completion'),
-      onSettingChosen: (setting) => this.service('applySetting')(setting),
+      onSettingChosen: (setting) => this.#panels.service('applySetting')(setting),
       onViewMoved: () => void this.#runs.askTokens(),
       onFileChanged: () => this.#panels.notify((panel) => panel.onFileChanged?.(this.editor.file)),
       onPasted: (from, to) => {
@@ -154,10 +152,10 @@ export class PlaygroundShell {
         this.#late.loadEditorIfShown();
       },
       onInputChanged: () => this.#reports.onInputChanged(),
-      onTextChanged: () => this.service('hideNotice')('program'),
+      onTextChanged: () => this.#panels.service('hideNotice')('program'),
       onRunRequested: () => this.#missing.onEdit(),
       onRunStarted: () => this.#reports.onRunStarted(),
-      onSent: () => events.onChange(),
+      onSent: onChange,
       onReady: () => this.#late.onReady(),
       onConnected: (client) => {
         this.#missing.markLoaded('parts');
@@ -188,11 +186,11 @@ export class PlaygroundShell {
       readonly,
       language: () => this.#language,
       setupError: () => this.#context.setupError,
-      loadParts: () => this.#send({ kind: 'load-parts' }),
+      loadParts: () => this.forPanels.send({ kind: 'load-parts' }),
       restart: () => this.#runs.restart(),
-      fire: (type, detail) => events.fire(type, detail),
+      fire,
     });
-    this.#shell = new ShellForPanels({
+    this.forPanels = new ShellForPanels({
       root,
       frame: layout.frame,
       editor: this.editor,
@@ -204,10 +202,10 @@ export class PlaygroundShell {
       reports: this.#reports,
       context: this.#context,
       author: this.#author,
-      fire: (type, detail) => events.fire(type, detail),
-      onChange: () => events.onChange(),
+      fire,
+      onChange,
     });
-    this.#panels.add(VIEW_CONTENTS[view].picture ? PICTURES : ALWAYS, this.#shell);
+    this.#panels.add(VIEW_CONTENTS[view].picture ? PICTURES : ALWAYS, this.forPanels);
     this.authorChanged();
     this.#paper = new Paper((from, to) => this.editor.textBetween(from, to));
     layout.container.append(this.#paper.element);
@@ -247,14 +245,14 @@ export class PlaygroundShell {
     this.#author.showCaption(this.#language);
     this.#missing.language = this.#language;
     // Answers to questions that a panel asks from now on are in this language.
-    this.#send({ kind: 'language', tag: this.#language });
+    this.forPanels.send({ kind: 'language', tag: this.#language });
     this.#panels.language = this.#language;
     this.editor.language = this.#language;
   }
 
   /** Applies the author's attributes for lines, picture and caption. */
   authorChanged(): void {
-    this.#author.apply((command) => this.#send(command));
+    this.#author.apply((command) => this.forPanels.send(command));
     this.#late.updateLink();
     this.#author.showCaption(this.#language);
   }
@@ -267,13 +265,13 @@ export class PlaygroundShell {
   async #moveTool(step: Step): Promise<void> {
     if (step.kind === 'motion') {
       const goTo = this.#panels.findService('goTo');
-      await (goTo?.(step.motion) ?? this.ask('go-to', { motion: step.motion }));
+      await (goTo?.(step.motion) ?? this.forPanels.ask('go-to', { motion: step.motion }));
       return;
     }
     const offset = this.editor.startOfLine(step.line);
     if (offset === undefined) return;
     const goToBlock = this.#panels.findService('goToBlock');
-    await (goToBlock?.(offset) ?? this.ask('seek-block', { offset }));
+    await (goToBlock?.(offset) ?? this.forPanels.ask('seek-block', { offset }));
   }
 
   readonly coloursChanged = (): void => this.#panels.notify((panel) => panel.onColoursChanged?.());
@@ -290,7 +288,7 @@ export class PlaygroundShell {
   /** The program of the element was loaded from its address, or has changed in the page. */
   programLoaded(text: string, file: ProgramFile | undefined): void {
     this.editor.setText(programText(text), file, this.editor.length > 0 ? 'undoable' : 'final');
-    this.service('hideNotice')('source');
+    this.#panels.service('hideNotice')('source');
     this.#runs.resetCursor();
     this.#runs.textChanged('fit');
     this.stepChanged();
@@ -314,7 +312,7 @@ export class PlaygroundShell {
     editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', this.#context.current);
     this.#panels.notify((panel) => panel.onProgramReplaced?.('host'));
     // A notice about a file does not apply to this program.
-    this.service('hideNotice')('file');
+    this.#panels.service('hideNotice')('file');
     this.#runs.resetCursor();
     this.#runs.textChanged('fit');
   }
@@ -330,25 +328,5 @@ export class PlaygroundShell {
 
   offers(name: OptionalService): boolean {
     return VIEW_CONTENTS[this.view].offers.includes(name);
-  }
-
-  service<S extends keyof Services>(name: S): Services[S] {
-    return this.#panels.service(name);
-  }
-
-  async ask<K extends QuestionKind>(about: K, ask: Questions[K]['args']): Promise<Answer<K> | undefined> {
-    return this.#runs.client?.ask(about, ask);
-  }
-
-  flush(): void {
-    this.#runs.flush();
-  }
-
-  goTo(span: Span): void {
-    this.#shell.goTo(span);
-  }
-
-  #send(command: Command): void {
-    this.#runs.client?.send(command);
   }
 }

@@ -10,30 +10,35 @@ const TRIES = 10;
 const WORD_RETRY_MS = 100;
 const COMPLETION_RETRY_MS = 20;
 
-interface PlaceHelpSource {
-  /** Changes with each change of the text. */
-  revision(): number;
-  ask(request: HelpRequest): Promise<Answer<'help'> | undefined>;
+export interface HelpSource {
+  /** `revision` changes with each change of the text. */
+  readonly editor: { readonly revision: number };
+  ask(about: 'help', request: HelpRequest): Promise<Answer<'help'> | undefined>;
+  /** Runs pending edits now. */
+  flush(): void;
 }
 
-export async function wordAt(source: PlaceHelpSource, offset: number): Promise<WordHelp | undefined> {
+/** The word at an offset. */
+export async function wordAt(source: HelpSource, offset: number): Promise<WordHelp | undefined> {
   return (await helpAt(source, { by: 'pointer', about: 'word', offset }, WORD_RETRY_MS))?.word;
 }
 
+/** The proposals at an offset; `isExplicit`: the user has requested them. */
 export async function completionAt(
-  source: PlaceHelpSource,
+  source: HelpSource,
   offset: number,
   isExplicit: boolean,
 ): Promise<CompletionHelp | undefined> {
+  source.flush();
   const request: HelpRequest = { by: 'completion', about: 'completion', offset, isExplicit };
   return (await helpAt(source, request, COMPLETION_RETRY_MS))?.completion;
 }
 
 /** Asks again if a new run discards the answer while the text is unchanged. */
-async function helpAt(source: PlaceHelpSource, request: HelpRequest, delayMs: number): Promise<Help | undefined> {
-  const revision = source.revision();
-  for (let tries = 0; tries < TRIES && source.revision() === revision; tries++) {
-    const help = await source.ask(request);
+async function helpAt(source: HelpSource, request: HelpRequest, delayMs: number): Promise<Help | undefined> {
+  const { revision } = source.editor;
+  for (let tries = 0; tries < TRIES && source.editor.revision === revision; tries++) {
+    const help = await source.ask('help', request);
     if (help !== undefined) return help;
     await new Promise((done) => setTimeout(done, delayMs));
   }
