@@ -19,11 +19,15 @@ const preloads: Plugin = {
     handler(_html, { bundle }) {
       const files = Object.values(bundle ?? {});
       const module = files.filter(({ fileName }) => /gcode_playground_bg-[\w-]+\.wasm$/.test(fileName));
-      const panels = files.filter((file) => file.type === 'chunk' && file.isDynamicEntry && file.name === 'further');
-      const imported = panels.flatMap((file) => (file.type === 'chunk' ? file.imports : []));
-      const scripts = new Set(
-        [...panels.map(({ fileName }) => fileName), ...imported].filter((file) => file !== 'element.js'),
-      );
+      const chunks = files.filter((file) => file.type === 'chunk');
+      const scripts = new Set<string>();
+      const preload = (name: string): void => {
+        if (name === 'element.js' || scripts.has(name)) return;
+        scripts.add(name);
+        for (const imported of chunks.find(({ fileName }) => fileName === name)?.imports ?? []) preload(imported);
+      };
+      for (const { name, isDynamicEntry, fileName } of chunks)
+        if (isDynamicEntry && name === 'further') preload(fileName);
       const link = (attrs: Record<string, string | boolean>): HtmlTagDescriptor => ({
         tag: 'link',
         attrs,

@@ -3,7 +3,8 @@
 // In: a text and its file. Out: the bytes to save, or the text in another encoding. A file that was opened
 // (`read-program.ts`) and is saved unchanged has the same bytes. Must not know: the purpose of the text.
 
-import { decode, encode, isUnicode, type Encoding } from '../files/encodings';
+import type { Encoding } from '../files/encoding-list';
+import { decode, encode, isUnicode } from '../files/encodings';
 import type { ProgramFile } from './program-text';
 
 /** The name of a program that was not opened from a file. */

@@ -4,7 +4,7 @@
 // editor, bytes, or how a file is opened or saved.
 
 import type { Text } from '@codemirror/state';
-import type { Encoding } from '../files/encodings';
+import type { Encoding } from '../files/encoding-list';
 import { foldLineEnds, splitIntoPieces, lineEndsOf, type LineEnds } from '../files/line-ends';
 
 export interface ProgramFile {

@@ -6,7 +6,8 @@
 // on the command line, with the same table; `tests/encodings.json` tests both. Must not know: what a program contains.
 
 import plausible from '../../../src/cli/plausible.json';
-import { decode, type Encoding } from './encodings';
+import type { Encoding } from './encoding-list';
+import { decode } from './encodings';
 
 /** Most non-ASCII bytes that are examined; more do not change the guess. */
 const SAMPLE_LIMIT = 100_000;

@@ -4,35 +4,7 @@
 // only if it encodes to exactly the same bytes. The encoder is derived from the browser's decoder, so no tables are
 // included. Must not know: the purpose of a text, or which encoding is probable.
 
-/**
- * Each name says whether the file has a byte order mark, so that saving keeps it: UTF-16 has one unless the name says
- * `no-bom`.
- */
-export const ENCODINGS = [
-  'utf-8',
-  'utf-8-bom',
-  'utf-16le',
-  'utf-16be',
-  'utf-16le-no-bom',
-  'utf-16be-no-bom',
-  'gb18030',
-  'windows-1251',
-  'windows-1252',
-] as const;
-export type Encoding = (typeof ENCODINGS)[number];
-
-/** Names for the user, the same in every language. */
-export const ENCODING_NAMES: Readonly<Record<Encoding, string>> = {
-  'utf-8': 'UTF-8',
-  'utf-8-bom': 'UTF-8 BOM',
-  'utf-16le': 'UTF-16 LE',
-  'utf-16be': 'UTF-16 BE',
-  'utf-16le-no-bom': 'UTF-16 LE, no BOM',
-  'utf-16be-no-bom': 'UTF-16 BE, no BOM',
-  gb18030: 'GB18030',
-  'windows-1251': 'Windows-1251',
-  'windows-1252': 'Windows-1252',
-};
+import type { Encoding } from './encoding-list';
 
 type Encoded =
   | { readonly kind: 'bytes'; readonly bytes: Uint8Array<ArrayBuffer> }

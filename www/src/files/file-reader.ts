@@ -4,7 +4,7 @@
 // worker reads one file. Must not know: the page, or the purpose of the text.
 
 import { guessEncoding } from './encoding-guess';
-import type { Encoding } from './encodings';
+import type { Encoding } from './encoding-list';
 import { foldLineEnds, splitIntoPieces, lineEndsOf, type LineEnds } from './line-ends';
 
 export type ReaderEvent =

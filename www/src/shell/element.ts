@@ -76,7 +76,7 @@
 import { make } from '../dom/dom';
 import { languageOf, type Language } from '../dom/language';
 import { programText, type ProgramFile } from '../editor/program-text';
-import { ENCODINGS } from '../files/encodings';
+import { ENCODINGS } from '../files/encoding-list';
 import type { DifferenceResult, ExportFormat, OtherVersion } from '../protocol/protocol';
 import type { ClientPoint, Services, UserCommand } from '../panels/panel';
 import { shownControls, parseView, type View } from './layout';

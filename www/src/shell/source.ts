@@ -6,7 +6,7 @@
 
 import { importWithRetry, whenOnline } from '../dom/network';
 import type { ProgramFile } from '../editor/program-text';
-import type { Encoding } from '../files/encodings';
+import type { Encoding } from '../files/encoding-list';
 import { foldLineEnds } from '../files/line-ends';
 
 /** A fetch that takes longer than this is reported as slow. */
