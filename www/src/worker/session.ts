@@ -6,10 +6,9 @@
 // has shown the last, so "settled" refers to the pictures on the page. Must not know: the page, other sessions, or the
 // meaning of the program.
 
-import { Drawn, type Playground } from '../../pkg/gcode_playground.js';
+import type { Playground } from '../../pkg/gcode_playground.js';
 import { ANSWERS, type AnswerRow } from './answers';
 import { dropQuestions } from './help';
-import { mayContainSwitches, SwitchFinder } from './switches-in-text';
 import {
   mayChangeDisplay,
   type BeginRun,
@@ -20,25 +19,22 @@ import {
   type Report,
   type RunEvent,
   type SessionEvent,
-  type SwitchesInText,
-  type TextChange,
   type TextCommand,
   type TriedValue,
   type Work,
 } from '../protocol/protocol';
 import type { LateParts, PartName, Waiter } from './parts';
 import { copyText } from './copy-text';
-import { changePicture, drawAll, fitAll, sectionScale, takePictures, viewsState } from './pictures';
+import { describe } from './describe';
+import { Drawing, type DrawRequest } from './drawing';
+import { OldPicture } from './old-picture';
+import { changePicture, fitAll, sectionScale, viewsState } from './pictures';
+import { EMPTY_SETUP, SetupChange } from './setup-change';
+import { SwitchSearch } from './switch-search';
 
-/** The only setup that does not need the part `early`. */
-const EMPTY_SETUP = '{}';
 const BLOCKS_PER_SLICE = 20_000;
 /** A limit in case the user is away; otherwise the user can stop a run at any time. */
 const RUN_LIMIT_MS = 60_000;
-/** Lines searched for switches in one slice. */
-const LINES_PER_SLICE = 20_000;
-/** After a longer change, the whole text is searched for switches. */
-const FULL_SEARCH_ABOVE = 100_000;
 /** Motions whose material is removed before the time is checked, and how long the first report waits for the part. */
 const MOTIONS_PER_SLICE = 20;
 const WAIT_FOR_PART_MS = 8;
@@ -54,13 +50,6 @@ const RELEASE_IMAGES_AFTER_MS = 3_000;
 const MAX_MOTIONS_TO_REPAINT = 4_000;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
-
-/** The run of a picture, and its counts. */
-interface PictureInfo {
-  readonly run: number;
-  readonly motions: number;
-  readonly errors: number;
-}
 
 /** Start time of an activity, and of its last progress report. */
 interface Timed {
@@ -78,9 +67,6 @@ type Stage =
   /** Material is being removed; whether the path was reported and drawn before the part is complete. */
   | ({ readonly kind: 'machining'; pathReported: boolean; pathDrawn: boolean } & Timed)
   | { readonly kind: 'done' };
-
-/** Whether to draw a picture: when the run is complete, or immediately. */
-type DrawRequest = 'no' | 'when-complete' | 'now';
 
 /** What the worker provides to a session. */
 export interface Thread {
@@ -112,28 +98,10 @@ export class Session implements Waiter {
   /** The number of the current run, as counted by the page. */
   #run = 0;
   #stage: Stage = { kind: 'done' };
-  /** Why the last setup was rejected. */
-  #setupRejected: string | undefined;
-  /** A setup that waits for the part `early`. */
-  #pendingSetup: string | undefined;
-  /** The search for switches in the text; undefined once it is complete. */
-  #switchSearch: { readonly finder: SwitchFinder; nextLine: number } | undefined;
-  #switches: SwitchesInText | undefined;
-  #drawRequest: DrawRequest = 'no';
-  #frameRequested = false;
-  /** A picture with very many strokes is being drawn in slices. */
-  #isDrawing = false;
-  /** The page has not shown the last picture yet. */
-  #pictureInFlight = false;
-  /** The last picture of a complete path. */
-  #lastPicture: PictureInfo | undefined;
-  /**
-   * The line in which the current run was typed; undefined if its text changed otherwise, or the cursor has left the
-   * line.
-   */
-  #typedLine: number | undefined;
-  /** The page shows the picture of an earlier run, while the cursor stays in this line. */
-  #oldPicture: { readonly line: number } | undefined;
+  readonly #setup: SetupChange;
+  readonly #switches: SwitchSearch;
+  readonly #oldPicture: OldPicture;
+  readonly #drawing: Drawing;
   /** A report waits for the texts of a language. */
   #reportPending = false;
   /** The number of received messages that may change the display, and its value when `settled` was last sent. */
@@ -149,6 +117,19 @@ export class Session implements Waiter {
     this.#core = core;
     this.#parts = parts;
     this.#thread = thread;
+    this.#setup = new SetupChange(core, () => this.#isLoaded(['early']));
+    this.#switches = new SwitchSearch(core);
+    this.#oldPicture = new OldPicture(core);
+    this.#drawing = new Drawing(core, {
+      state: () => this.#drawingState,
+      runGuarded: (step) => this.runGuarded(step),
+      queueSlice: () => this.#queueSlice(),
+      onDrawn: () => this.#onDrawn(),
+      send: (pictures) => {
+        this.#emit({ kind: 'pictures', pictures, scale: sectionScale(core) }, Object.values(pictures));
+        this.#parts.release();
+      },
+    });
   }
 
   receive(message: Command | Question): void {
@@ -202,64 +183,10 @@ export class Session implements Waiter {
     }
     const row = Session.#COMMANDS[message.kind] as CommandRow<Command['kind']>;
     row.execute(this, message);
-    // The user may leave the line while its run is in progress.
-    if (this.#typedLine !== undefined && this.#leavesLine(message, this.#typedLine)) this.#typedLine = undefined;
-    if (this.#oldPicture !== undefined && this.#keepsOldPicture(message, this.#oldPicture.line)) return;
-    if (row.draws !== 'no') this.#requestDraw(row.draws);
-  }
-
-  /**
-   * Whether the user has left the line or moved the picture. A resize is not a move: the messages of a new run can
-   * cause it.
-   */
-  #leavesLine(message: Command, line: number): boolean {
-    if (message.kind === 'cursor') return message.offset === undefined || this.#core.lineAt(message.offset) !== line;
-    return message.kind === 'picture' && message.command.kind !== 'resize' && message.command.kind !== 'repaint';
-  }
-
-  /** Whether the old picture stays after this message. */
-  #keepsOldPicture(message: Command, line: number): boolean {
-    switch (message.kind) {
-      case 'cursor':
-      case 'picture':
-        return this.#leavesLine(message, line) ? this.#showCurrent() : true;
-      case 'run':
-      case 'shown':
-      case 'hover':
-      case 'leave-edge':
-      case 'load-parts':
-      case 'stop':
-        return true;
-      case 'palette':
-      case 'language':
-      case 'unit':
-      case 'turret':
-      case 'mark':
-      case 'frame':
-      case 'keep-part':
-      case 'end-comparison':
-        return this.#showCurrent();
-    }
-  }
-
-  /** Replaces an old picture by that of the current run. */
-  #showCurrent(): false {
-    this.#oldPicture = undefined;
-    this.#requestDraw('now');
-    return false;
-  }
-
-  /**
-   * A block that is being typed is often incomplete, and a faulty contour is not cut at all. Then the previous picture
-   * is more useful than an empty one: it stays while this run has more errors and fewer motions.
-   */
-  #keepOldPictureIfBetter(): void {
-    this.#oldPicture = undefined;
-    if (this.#typedLine === undefined || this.#lastPicture === undefined) return;
-    const [motions = 0, errors = 0] = this.#core.motionsAndErrors();
-    if (motions >= this.#lastPicture.motions || errors <= this.#lastPicture.errors) return;
-    this.#oldPicture = { line: this.#typedLine };
-    this.#emit({ kind: 'old-picture', of: this.#lastPicture.run });
+    const old = this.#oldPicture.onCommand(message);
+    if (old === 'kept') return;
+    if (old === 'dropped') this.#drawing.request('now');
+    if (row.draws !== 'no') this.#drawing.request(row.draws);
   }
 
   static readonly #COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
@@ -287,12 +214,9 @@ export class Session implements Waiter {
     shown: {
       draws: 'no',
       execute(session, { dropped }) {
-        session.#pictureInFlight = false;
-        if (dropped) {
-          // Paint again: if nothing has changed since, no other picture would follow the dropped one.
-          session.#core.paintAgain();
-          if (session.#oldPicture === undefined) session.#requestDraw('when-complete');
-        } else session.#sendPictures();
+        if (!dropped) return session.#drawing.onShown();
+        session.#drawing.onDropped();
+        if (!session.#oldPicture.isShown) session.#drawing.request('when-complete');
       },
     },
     stop: { draws: 'when-complete', execute: (session) => session.#stop() },
@@ -354,11 +278,11 @@ export class Session implements Waiter {
     const answer = (): void => {
       if (!this.#isLoaded(needs())) return this.#whenLoaded(needs(), answer);
       // The strokes of this run are not in the old picture, so the pointer is over none of them.
-      if (this.#oldPicture !== undefined && PICTURE_QUESTIONS.has(question.about))
+      if (this.#oldPicture.isShown && PICTURE_QUESTIONS.has(question.about))
         return void this.#reply(question.id, undefined);
-      if (this.#oldPicture !== undefined && row.draws !== undefined) this.#showCurrent();
+      if (row.draws !== undefined) this.#showCurrent();
       void this.#reply(question.id, row.answer(this.#core, question.args));
-      if (row.draws !== undefined) this.#requestDraw(row.draws);
+      if (row.draws !== undefined) this.#drawing.request(row.draws);
     };
     if (row.waitsFor === undefined) answer();
     else this.#whenComplete(answer);
@@ -390,39 +314,21 @@ export class Session implements Waiter {
     // Needed here, because a rejected setup does not start another run, and the tool would stay.
     this.#core.showWhole();
     if (change.framing === 'fit') fitAll(this.#core);
-    this.#typedLine = undefined;
-    if (change.setup !== undefined) this.#changeSetup(change.setup);
+    if (change.setup !== undefined) this.#setup.set(change.setup);
     if (change.text !== undefined) this.#changeText(change.text, change.changeSource);
     this.#tryValues(change.tried);
     this.#core.setCursor(change.cursor);
-    this.#typedLine = this.#findTypedLine(change);
+    this.#oldPicture.onRunStarted(change);
     // A run in progress can only be drawn in part: keep the old picture until it is complete.
-    this.#isDrawing = false;
-    this.#drawRequest = 'no';
+    this.#drawing.cancel();
     const missing = this.#missingPart();
     if (missing === undefined) this.#scheduleAdvance();
     else this.#waitForPart(missing);
   }
 
-  /** The line that the user is typing in, if the run has a single typed change in the line of the cursor. */
-  #findTypedLine({ setup, text, changeSource, framing, cursor }: BeginRun): number | undefined {
-    if (
-      setup !== undefined ||
-      text?.kind !== 'edit' ||
-      text.changes.length !== 1 ||
-      changeSource !== 'typed' ||
-      framing === 'fit' ||
-      cursor === undefined
-    )
-      return undefined;
-    const [change] = text.changes;
-    const line = this.#core.lineAt(cursor);
-    return change !== undefined && this.#core.lineAt(change.from) === line ? line : undefined;
-  }
-
   /** The part that the run needs and that is not loaded yet, if any. */
   #missingPart(): PartName | undefined {
-    const missing = this.#pendingSetup === undefined ? (this.#core.missingPart() as PartName | undefined) : 'early';
+    const missing = this.#setup.isPending ? 'early' : (this.#core.missingPart() as PartName | undefined);
     return missing === undefined || this.#isLoaded([missing]) ? undefined : missing;
   }
 
@@ -442,21 +348,6 @@ export class Session implements Waiter {
     this.#queueSlice();
   }
 
-  #changeSetup(json: string): void {
-    this.#pendingSetup = undefined;
-    if (json !== EMPTY_SETUP && !this.#isLoaded(['early'])) {
-      this.#pendingSetup = json;
-      return;
-    }
-    try {
-      this.#core.setSetup(json);
-      this.#setupRejected = undefined;
-    } catch (reason) {
-      if (reason instanceof WebAssembly.RuntimeError) throw reason;
-      this.#setupRejected = describe(reason);
-    }
-  }
-
   /** Sets the tried values. Without any, now or before, the run continues unchanged. */
   #tryValues(tried: readonly TriedValue[]): void {
     const list = (of: (value: TriedValue) => number): Uint32Array => Uint32Array.from(tried, of);
@@ -470,43 +361,19 @@ export class Session implements Waiter {
 
   #changeText(text: TextCommand, changeSource: ChangeSource): void {
     if (text.kind === 'edit') {
-      for (const change of text.changes) this.#edit(change);
+      for (const change of text.changes) this.#switches.edit(change);
       if (changeSource === 'inserted') this.#core.decideDecimalRule();
     } else {
       copyText(this.#core, text.pieces);
-      this.#startSwitchSearch();
+      this.#switches.start();
     }
   }
 
-  #edit({ from, to, insert }: TextChange): void {
-    // The edit may move lines that were not searched yet: then search the whole text again.
-    const searchAll =
-      this.#switchSearch !== undefined || to - from > FULL_SEARCH_ABOVE || insert.length > FULL_SEARCH_ABOVE;
-    const changedLines = (end: number): string =>
-      this.#core.linesAsWritten(this.#core.lineAt(from), this.#core.lineAt(end) + 1);
-    const oldLines = searchAll ? '' : changedLines(to);
-    this.#core.edit(from, to, insert);
-    if (searchAll || mayContainSwitches(oldLines) || mayContainSwitches(changedLines(from + insert.length)))
-      this.#startSwitchSearch();
-  }
-
-  #startSwitchSearch(): void {
-    this.#switches = undefined;
-    this.#switchSearch = { finder: new SwitchFinder(), nextLine: 0 };
-  }
-
   /** Searches the next lines; a short text is searched in one go. */
-  #searchMoreLines(): void {
-    if (this.#switchSearch === undefined) return;
-    const { finder, nextLine } = this.#switchSearch;
-    const lines = this.#core.linesAsWritten(nextLine, nextLine + LINES_PER_SLICE);
-    finder.search(lines);
-    this.#switchSearch.nextLine += LINES_PER_SLICE;
-    if (this.#core.linesAsWritten(this.#switchSearch.nextLine, this.#switchSearch.nextLine + 1) !== '') return;
-    this.#switchSearch = undefined;
-    this.#switches = finder.found;
+  #searchSwitches(): void {
+    const found = this.#switches.searchMore();
     // A pending report will contain them.
-    if (this.#isReported()) this.#emit({ kind: 'switches', inText: this.#switches });
+    if (found !== undefined && this.#isReported()) this.#emit({ kind: 'switches', inText: found });
   }
 
   // ---- the run --------------------------------------------------------------------------------------
@@ -529,14 +396,14 @@ export class Session implements Waiter {
 
   #slice(): void {
     if (this.#stage.kind === 'running') this.#advance(this.#stage);
-    else if (this.#isDrawing) this.#draw();
+    else if (this.#drawing.isInProgress) this.#drawing.draw();
     else if (this.#stage.kind === 'machining') this.#removeMaterial(this.#stage);
-    else this.#searchMoreLines();
+    else this.#searchSwitches();
     if (
       this.#stage.kind === 'running' ||
       this.#stage.kind === 'machining' ||
-      this.#isDrawing ||
-      this.#switchSearch !== undefined
+      this.#drawing.isInProgress ||
+      this.#switches.isInProgress
     )
       this.#queueSlice();
   }
@@ -557,14 +424,14 @@ export class Session implements Waiter {
   }
 
   #end(): void {
-    this.#searchMoreLines();
+    this.#searchSwitches();
     const missing = this.#missingPart();
     if (missing !== undefined) return this.#waitForPart(missing);
     if (this.#isLoaded(['late', this.#language]) || this.#core.missingPart() !== undefined) return this.#continueRun();
-    this.#oldPicture = undefined;
+    this.#oldPicture.drop();
     this.#stage = { kind: 'waiting' };
     this.#emit({ kind: 'path', summary: this.#core.summary() });
-    this.#requestDraw('now');
+    this.#drawing.request('now');
     setTimeout(() => this.#parts.release(), LOAD_PARTS_AFTER_MS);
     this.#whenLoaded(['late', this.#language], () => {
       if (this.#stage.kind === 'waiting') this.#continueRun();
@@ -573,15 +440,15 @@ export class Session implements Waiter {
 
   /** Runs again if parts were loaded for it; otherwise continues after the path. */
   #continueRun(): void {
-    const setup = this.#pendingSetup;
-    if (setup !== undefined) this.#changeSetup(setup);
-    if (this.#core.beginAgain() || setup !== undefined) this.#scheduleAdvance();
+    const hasSetup = this.#setup.applyPending();
+    if (this.#core.beginAgain() || hasSetup) this.#scheduleAdvance();
     else this.#startMachining();
   }
 
   #startMachining(): void {
     const now = performance.now();
-    this.#keepOldPictureIfBetter();
+    const of = this.#oldPicture.choose();
+    if (of !== undefined) this.#emit({ kind: 'old-picture', of });
     const machining: Stage & { kind: 'machining' } = {
       kind: 'machining',
       pathReported: false,
@@ -603,7 +470,7 @@ export class Session implements Waiter {
       this.#stage = { kind: 'done' };
       for (const callback of this.#completionCallbacks.splice(0)) callback();
       this.#report(machining.pathReported ? 'part' : 'whole');
-      if (this.#oldPicture === undefined) this.#requestDraw('now');
+      if (!this.#oldPicture.isShown) this.#drawing.request('now');
       return;
     }
     // If the part takes longer than `WAIT_FOR_PART_MS`, report the path first.
@@ -612,11 +479,11 @@ export class Session implements Waiter {
       this.#report('path');
     }
     if (
-      this.#oldPicture === undefined &&
+      !this.#oldPicture.isShown &&
       !machining.pathDrawn &&
       performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS
     )
-      this.#requestDraw('now');
+      this.#drawing.request('now');
     this.#emitProgress(machining, 'part', () => this.#core.machiningProgress());
     this.#queueSlice();
   }
@@ -650,55 +517,33 @@ export class Session implements Waiter {
         units: this.#core.units(),
         decimal: this.#core.decimalNotice(),
         stage,
-        setupRejected: this.#setupRejected,
+        setupRejected: this.#setup.rejected,
         views: this.#stage.kind === 'done' ? viewsState(this.#core) : undefined,
-        switches: this.#switches,
+        switches: this.#switches.found,
       },
     });
   }
 
   // ---- the rest -------------------------------------------------------------------------------------
 
-  #requestDraw(request: Exclude<DrawRequest, 'no'>): void {
-    if (this.#drawRequest !== 'now') this.#drawRequest = request;
-    if (this.#frameRequested) return;
-    this.#frameRequested = true;
-    requestAnimationFrame(() => {
-      this.#frameRequested = false;
-      const pendingRequest = this.#drawRequest;
-      this.#drawRequest = 'no';
-      const ready =
-        this.#stage.kind === 'done' ||
-        this.#stage.kind === 'waiting' ||
-        (this.#stage.kind === 'machining' && this.#stage.pathDrawn);
-      this.runGuarded(() => {
-        if (this.#stage.kind === 'blocked') this.#drawRequest = pendingRequest;
-        else if (pendingRequest === 'now' || (pendingRequest === 'when-complete' && ready)) this.#draw();
-      });
-    });
+  get #drawingState(): 'blocked' | 'incomplete' | 'complete' {
+    const stage = this.#stage;
+    if (stage.kind === 'blocked') return 'blocked';
+    const isComplete =
+      stage.kind === 'done' || stage.kind === 'waiting' || (stage.kind === 'machining' && stage.pathDrawn);
+    return isComplete ? 'complete' : 'incomplete';
   }
 
-  #draw(): void {
+  #onDrawn(): void {
     if (this.#stage.kind === 'machining') this.#stage.pathDrawn = true;
-    const drawn = drawAll(this.#core);
-    this.#isDrawing = drawn === Drawn.Part;
-    if (this.#stage.kind !== 'running') {
-      const [motions = 0, errors = 0] = this.#core.motionsAndErrors();
-      this.#lastPicture = { run: this.#run, motions, errors };
-    }
-    if (this.#isDrawing) this.#queueSlice();
-    if (drawn === Drawn.Moved) this.#requestDraw('now');
-    this.#sendPictures();
+    if (this.#stage.kind !== 'running') this.#oldPicture.onDrawn(this.#run);
   }
 
-  /** Sends the painted images, unless the page has not shown the last ones yet. */
-  #sendPictures(): void {
-    if (this.#pictureInFlight) return;
-    const pictures = takePictures(this.#core);
-    if (pictures === undefined) return;
-    this.#pictureInFlight = true;
-    this.#emit({ kind: 'pictures', pictures, scale: sectionScale(this.#core) }, Object.values(pictures));
-    this.#parts.release();
+  /** Replaces an old picture by that of the current run. */
+  #showCurrent(): void {
+    if (!this.#oldPicture.isShown) return;
+    this.#oldPicture.drop();
+    this.#drawing.request('now');
   }
 
   /** Sends an event with the number of the run. */
@@ -711,12 +556,7 @@ export class Session implements Waiter {
     const isWaiting = this.#stage.kind === 'waiting' || this.#stage.kind === 'blocked';
     const isRunning = isWaiting ? !this.#parts.failed : this.#stage.kind !== 'done';
     const busy =
-      isRunning ||
-      (this.#reportPending && !this.#parts.failed) ||
-      this.#isDrawing ||
-      (this.#drawRequest !== 'no' && this.#stage.kind !== 'blocked') ||
-      this.#pictureInFlight ||
-      this.#switchSearch !== undefined;
+      isRunning || (this.#reportPending && !this.#parts.failed) || this.#drawing.isBusy || this.#switches.isInProgress;
     if (busy || this.#settledAt === this.#receivedCount) return;
     this.#settledAt = this.#receivedCount;
     this.#emit({ kind: 'settled', received: this.#receivedCount });
@@ -727,8 +567,4 @@ export class Session implements Waiter {
     const [motions = 0] = this.#core.motionsAndErrors();
     if (motions <= MAX_MOTIONS_TO_REPAINT) this.#core.releaseImages();
   }
-}
-
-function describe(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }

@@ -7,6 +7,7 @@
 import init, { Playground } from '../../pkg/gcode_playground.js';
 import type { FromWorker, PartFiles, SessionEvent, ToWorker } from '../protocol/protocol';
 import { fetchPart } from '../../pkg/parts.js';
+import { describe } from './describe';
 import { LateParts } from './parts';
 import { mayNeedSetup, Session } from './session';
 
@@ -81,10 +82,6 @@ function openSession(id: number, lateParts: LateParts<Session>): Session {
   });
   sessions.set(id, session);
   return session;
-}
-
-function describe(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }
 
 function post(event: FromWorker, images: ImageBitmap[] = []): void {

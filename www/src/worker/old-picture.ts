@@ -1,0 +1,122 @@
+// Decides whether the page keeps the picture of an earlier run while a block is being typed.
+//
+// A block that is being typed is often incomplete, and a faulty contour is not cut at all. Then the previous picture is
+// more useful than an empty one: it stays while the new run has more errors and fewer motions, until the user leaves the
+// line or changes the picture.
+// In: runs, drawn pictures, commands. Out: whether the old picture is shown. Must not know: how a picture is drawn.
+
+import type { Playground } from '../../pkg/gcode_playground.js';
+import type { BeginRun, Command } from '../protocol/protocol';
+
+/** The run of a picture, and its counts. */
+interface PictureInfo {
+  readonly run: number;
+  readonly motions: number;
+  readonly errors: number;
+}
+
+export class OldPicture {
+  readonly #core: Playground;
+  /** The last picture of a complete path. */
+  #lastPicture: PictureInfo | undefined;
+  /**
+   * The line in which the current run was typed; undefined if its text changed otherwise, or the cursor has left the
+   * line.
+   */
+  #typedLine: number | undefined;
+  /** The page shows the picture of an earlier run, while the cursor stays in this line. */
+  #shown: { readonly line: number } | undefined;
+
+  constructor(core: Playground) {
+    this.#core = core;
+  }
+
+  /** Whether the page shows the picture of an earlier run. */
+  get isShown(): boolean {
+    return this.#shown !== undefined;
+  }
+
+  /** A run starts; the core has its text. */
+  onRunStarted(change: BeginRun): void {
+    this.#typedLine = this.#findTypedLine(change);
+  }
+
+  /** The current run is drawn. */
+  onDrawn(run: number): void {
+    const [motions = 0, errors = 0] = this.#core.motionsAndErrors();
+    this.#lastPicture = { run, motions, errors };
+  }
+
+  /** The path of the run is complete. Returns the run whose picture stays; undefined if the new run is drawn. */
+  choose(): number | undefined {
+    this.#shown = undefined;
+    if (this.#typedLine === undefined || this.#lastPicture === undefined) return undefined;
+    const [motions = 0, errors = 0] = this.#core.motionsAndErrors();
+    if (motions >= this.#lastPicture.motions || errors <= this.#lastPicture.errors) return undefined;
+    this.#shown = { line: this.#typedLine };
+    return this.#lastPicture.run;
+  }
+
+  drop(): void {
+    this.#shown = undefined;
+  }
+
+  /** A command was executed. Returns what becomes of the old picture; undefined if there is none. */
+  onCommand(command: Command): 'kept' | 'dropped' | undefined {
+    // The user may leave the line while its run is in progress.
+    if (this.#typedLine !== undefined && this.#leavesLine(command, this.#typedLine)) this.#typedLine = undefined;
+    if (this.#shown === undefined) return undefined;
+    if (this.#isKept(command, this.#shown.line)) return 'kept';
+    this.drop();
+    return 'dropped';
+  }
+
+  /**
+   * Whether the user has left the line or moved the picture. A resize is not a move: the messages of a new run can
+   * cause it.
+   */
+  #leavesLine(command: Command, line: number): boolean {
+    if (command.kind === 'cursor') return command.offset === undefined || this.#core.lineAt(command.offset) !== line;
+    return command.kind === 'picture' && command.command.kind !== 'resize' && command.command.kind !== 'repaint';
+  }
+
+  #isKept(command: Command, line: number): boolean {
+    switch (command.kind) {
+      case 'cursor':
+      case 'picture':
+        return !this.#leavesLine(command, line);
+      case 'run':
+      case 'shown':
+      case 'hover':
+      case 'leave-edge':
+      case 'load-parts':
+      case 'stop':
+        return true;
+      case 'palette':
+      case 'language':
+      case 'unit':
+      case 'turret':
+      case 'mark':
+      case 'frame':
+      case 'keep-part':
+      case 'end-comparison':
+        return false;
+    }
+  }
+
+  /** The line that the user is typing in, if the run has a single typed change in the line of the cursor. */
+  #findTypedLine({ setup, text, changeSource, framing, cursor }: BeginRun): number | undefined {
+    if (
+      setup !== undefined ||
+      text?.kind !== 'edit' ||
+      text.changes.length !== 1 ||
+      changeSource !== 'typed' ||
+      framing === 'fit' ||
+      cursor === undefined
+    )
+      return undefined;
+    const [change] = text.changes;
+    const line = this.#core.lineAt(cursor);
+    return change !== undefined && this.#core.lineAt(change.from) === line ? line : undefined;
+  }
+}
