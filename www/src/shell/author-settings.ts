@@ -1,5 +1,4 @@
-// What the author of a page sets for the picture and the program: marked and shown lines, what the picture is fitted to,
-// the turret, and the caption.
+// The settings of the author of a page: marked and shown lines, the frame of the picture, the turret, and the caption.
 //
 // In: the attributes. Out: decorations of the editor, commands for the worker, the caption. Must not know: the program,
 // or whether there is a worker.

@@ -1,8 +1,8 @@
 // The panels of one element.
 //
-// In: kinds of panels, and what happens in the element. Out: their elements in the regions, their services, keys and
-// commands; each panel is told what happens. Panels that are loaded later receive the events of the newest run that they
-// have missed. Must not know: what a panel does, when an event occurs, or how panels are loaded.
+// In: kinds of panels, events of the element. Out: the panels' elements in the regions, their services, keys and
+// commands; the events for each panel. Panels that are loaded later receive the events of the newest run that they have
+// missed. Must not know: the purpose of a panel, the cause of an event, or how panels are loaded.
 
 import type { Language } from '../dom/language';
 import type { ProgramFile } from '../editor/program-text';

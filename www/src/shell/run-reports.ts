@@ -1,8 +1,8 @@
 // The state of the newest run, as its events report it.
 //
-// In: the events of the newest run, edits, a lost worker. Out: the panels and the editor are told of each event and of
-// failures; the event `gcode-report`, the notice of a rejected setup, the missing parts. Messages about a program that is
-// still being typed are held back (`unfinished`). Must not know: how runs are started.
+// In: the events of the newest run, edits, a lost worker. Out: the same events and failures for the panels, the problems
+// for the editor, the event `gcode-report`, the notice about a rejected setup, the missing parts. Messages about a program
+// that is still being typed are held back (`unfinished`). Must not know: how runs are started.
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';

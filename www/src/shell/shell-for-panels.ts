@@ -1,4 +1,4 @@
-// The shell as the panels see it: what they ask of the worker, the program, the setup and each other.
+// The interface of the shell for panels and for the element: worker, program, setup, services.
 //
 // In: calls of panels. Out: the same to the parts of the shell, each of which has its own state. Must not know: when the
 // element is connected, and which attributes it has.

@@ -1,7 +1,8 @@
 // Draws the pictures of one session when they are requested, and sends them to the page.
 //
 // In: requests, and whether the run can be drawn. Out: images, one at a time: the next one is sent after the page has
-// shown the last. A picture with very many strokes is drawn in slices. Must not know: runs, or what has changed.
+// acknowledged the previous one. A picture with very many strokes is drawn in slices. Must not know: runs, or the cause
+// of a request.
 
 import { Drawn, type Playground } from '../../pkg/gcode_playground.js';
 import type { Pictures } from '../protocol/protocol';
@@ -64,7 +65,7 @@ export class Drawing {
     });
   }
 
-  /** Drops requests and slices: the pictures are those of an earlier run. */
+  /** Drops requests and slices, which belong to an earlier run. */
   cancel(): void {
     this.#isInProgress = false;
     this.#drawRequest = 'no';
@@ -86,7 +87,7 @@ export class Drawing {
     this.#sendPictures();
   }
 
-  /** The page has dropped the last pictures, as those of an earlier run. */
+  /** The page has dropped the last pictures, which belong to an earlier run. */
   onDropped(): void {
     this.#pictureInFlight = false;
     // Paint again: if nothing has changed since, no other picture would follow the dropped one.
