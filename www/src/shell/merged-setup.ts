@@ -4,6 +4,7 @@
 // attributes too.
 
 import type { SwitchState } from '../panels/panel';
+import { describe } from '../worker/describe';
 
 /** The default control. */
 const DEFAULT_CONTROL = 'fanuc';
@@ -26,7 +27,7 @@ export function mergeSetup(json: string | null, { control, blockSkip, program }:
   try {
     setup = JSON.parse(json ?? '{}');
   } catch (error) {
-    return { kind: 'unreadable', reason: error instanceof Error ? error.message : String(error) };
+    return { kind: 'unreadable', reason: describe(error) };
   }
   // The interpreter reports anything but an object.
   if (typeof setup !== 'object' || setup === null || Array.isArray(setup)) return { kind: 'setup', json: json ?? '{}' };

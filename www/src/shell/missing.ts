@@ -9,6 +9,7 @@ import type { Language } from '../dom/language';
 import { isOffline, ReloadRequiredError, whenOnline } from '../dom/network';
 import { words } from '../dom/words';
 import type { NoticeAction } from '../panels/panel';
+import { describe } from '../worker/describe';
 
 /** In order of importance: the notice names only the first one that is missing. */
 const KINDS = ['interpreter', 'parts', 'panels', 'editor', 'completion'] as const;
@@ -150,10 +151,6 @@ export class Missing {
         : { title: tryAgain, act: () => this.retryAll() },
     );
   }
-}
-
-function describe(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }
 
 const WORDS = words({

@@ -8,6 +8,7 @@ import { importWithRetry, whenOnline } from '../dom/network';
 import type { ProgramFile } from '../editor/program-text';
 import type { Encoding } from '../files/encoding-list';
 import { foldLineEnds } from '../files/line-ends';
+import { describe } from '../worker/describe';
 
 /** A fetch that takes longer than this is reported as slow. */
 const SLOW_AFTER_MS = 700;
@@ -103,7 +104,7 @@ export class Source {
         this.#abortController?.abort();
         void this.#fetch(address);
       };
-      this.#events.onFailed(address, error instanceof Error ? error.message : String(error), retry);
+      this.#events.onFailed(address, describe(error), retry);
     } finally {
       clearTimeout(slowTimer);
     }

@@ -10,6 +10,7 @@ import { exportFile } from './exports';
 import { answerHelp } from './help';
 import { getPieces, findPrograms } from './paste';
 import { toolAnswers } from './tool';
+import { describe } from './describe';
 
 /** Longer expanded texts get no syntax colours. */
 const MAX_COLOURED_LENGTH = 200_000;
@@ -77,7 +78,7 @@ function readProfiles(core: Playground, json: string): ProfilesResult {
     return { kind: 'profiles', profiles: core.profilesIn(json) };
   } catch (reason) {
     if (reason instanceof WebAssembly.RuntimeError) throw reason;
-    return { kind: 'invalid', reason: reason instanceof Error ? reason.message : String(reason) };
+    return { kind: 'invalid', reason: describe(reason) };
   }
 }
 

@@ -10,6 +10,7 @@ import { coreModule, discardCoreModule } from './core-module';
 import { startWorker, type StartedWorker } from './start-worker';
 import script from './worker.ts?worker&url';
 import type { Command, FromWorker, Question, SessionEvent, ToWorker } from '../protocol/protocol';
+import { describe } from './describe';
 
 const SILENCE_LIMIT_MS = 15_000;
 /** Longer, since its script may still be loading. */
@@ -71,7 +72,7 @@ export class CoreThread {
         this.#post({ kind: 'core', module });
         this.#watchdog = setTimeout(() => this.#failLoading('the worker gives no answer'), START_LIMIT_MS);
       },
-      (reason: unknown) => this.#failLoading(reason instanceof Error ? reason.message : String(reason)),
+      (reason: unknown) => this.#failLoading(describe(reason)),
     );
   }
 

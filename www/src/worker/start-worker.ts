@@ -5,6 +5,8 @@
 // `worker-src blob:` if there is a Content-Security-Policy, and is done only if the direct way fails. Must not know:
 // the purpose of the worker.
 
+import { describe } from './describe';
+
 export interface StartedWorker {
   /** Queued until the worker has started. */
   post(message: unknown): void;
@@ -36,7 +38,7 @@ export function startWorker<Event>(
   let unconfirmed: unknown[] | undefined = [];
   let isEnded = false;
   const fail = (reason: unknown): void => {
-    if (!isEnded) onFailure(reason instanceof Error ? reason.message : String(reason));
+    if (!isEnded) onFailure(describe(reason));
   };
   const attach = (newWorker: Worker, onError: (reason: string) => void): void => {
     if (isEnded) {
