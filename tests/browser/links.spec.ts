@@ -66,7 +66,7 @@ const packedJson = (value: unknown): string =>
 
 test('every stored link still opens the same content', async () => {
   const stored = storedLinks();
-  expect(new Set(stored.map(({ version }) => version))).toEqual(new Set([0, 1]));
+  expect(new Set(stored.map(({ version }) => version))).toEqual(new Set([0, 1, 2]));
   for (const { what, link, opens } of stored) expect(await opened(link), what).toEqual({ ...EMPTY_SHARED, ...opens });
 });
 
@@ -117,7 +117,9 @@ test('random Unicode text survives the round trip, and takes at most four thirds
   for (let round = 0; round < 500; round++) {
     const shared = randomShared(next);
     const link = await linkOf(shared);
-    const bytes = Buffer.byteLength(JSON.stringify([shared.text, shared.setup, shared.file, shared.task, shared.name]));
+    const bytes = Buffer.byteLength(
+      JSON.stringify([shared.text, shared.setup, shared.file, shared.task, shared.answerTo, shared.name]),
+    );
     expect(link.length).toBeLessThanOrEqual(300 + (bytes * 4) / 3);
     expect(await opened(link)).toEqual(shared);
   }
@@ -179,7 +181,7 @@ test('a link with any one character changed never opens another program', async 
 });
 
 test('a link of a newer version is reported as such, also if this version cannot parse it', async () => {
-  for (const hash of ['#share=2.17.anything', '#share=2', '#share=17.%7B%7D', '#share=999999.'])
+  for (const hash of ['#share=3.17.anything', '#share=3', '#share=17.%7B%7D', '#share=999999.'])
     expect(await faultOf(hash), hash).toBe('newer');
   // A link with an unknown key is rejected, not opened in part.
   expect(await faultOf(packedJson({ p: 'G0 X1', z: 'new' }))).toBe('damaged');
@@ -203,6 +205,7 @@ test('hostile links are refused: wrong types, missing fields, no JSON, no stream
     { p: 'G0', e: 'utf-8' },
     { p: 'G0', q: 'a task without a solution' },
     { p: 'G0', a: 7 },
+    { p: 'G0', q: 'a version 2 answer', a: 'G1', h: 1 },
     { p: 'G0', n: 7 },
     { p: 'G0', n: null },
     { p: 'G0', n: ['Anna'] },
@@ -212,6 +215,9 @@ test('hostile links are refused: wrong types, missing fields, no JSON, no stream
     { s: '{}' },
   ];
   for (const body of bodies) expect(await faultOf(packedJson(body)), JSON.stringify(body)).toBe('damaged');
+  // Version 2 is only for links that version 1 cannot express.
+  for (const body of [{ p: 'G0' }, { p: 'G0', q: '', a: '' }, { p: 'G0', h: 1 }, { p: 'G0', q: 'a', h: 2 }])
+    expect(await faultOf(packedJson(body).replace('=1.', '=2.')), JSON.stringify(body)).toBe('damaged');
   expect(await faultOf(forged(`z${deflateRawSync('{"p":"G0","__proto__":{"p":"G1"}}').toString('base64url')}`))).toBe(
     'damaged',
   );

@@ -68,6 +68,8 @@ export function wellFormed(text: string): string {
 export function randomShared(next: Random): Shared {
   const maybe = <T>(make: () => T): T | null => (next() < 0.5 ? null : make());
   const any = (most: number): string => randomText(next, Math.floor(next() ** 2 * most));
+  const task = maybe(() => ({ sentence: any(100), solution: maybe(() => any(2000)) }));
+  const isAnswer = next() < 0.5;
   return {
     text: any(2000),
     setup: maybe(() => any(300)),
@@ -79,7 +81,8 @@ export function randomShared(next: Random): Shared {
     step: maybe(() => any(10)),
     readonly: next() < 0.5,
     file: maybe(() => ({ name: any(40), encoding: any(12) })),
-    task: maybe(() => ({ sentence: any(100), solution: any(2000) })),
+    task: isAnswer ? null : task,
+    answerTo: isAnswer ? task : null,
     name: maybe(() => any(80)),
   };
 }
@@ -131,6 +134,7 @@ export function randomState(next: Random): Shared {
     readonly: next() < 0.3,
     file: next() < 0.2 ? { name: `${wellFormed(randomText(next, 8))}.nc`, encoding: 'utf-8' } : null,
     task: null,
+    answerTo: null,
     name: null,
   };
 }

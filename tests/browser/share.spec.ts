@@ -201,7 +201,7 @@ test('every stored link opens in the page', async ({ page }) => {
   await open(page);
   for (const { what, link, opens } of storedLinks()) {
     await go(page, link);
-    const { task: _, name, ...rest } = opens;
+    const { task: _, answerTo: __, name, ...rest } = opens;
     await expect
       .poll(() => state(page), what)
       .toMatchObject({ setup: null, view: 'all', step: null, readonly: false, ...rest });
@@ -221,6 +221,7 @@ test('broken, truncated, newer and hostile links show a message and change nothi
     good.slice(0, 40),
     good.slice(0, 12),
     '#share=',
+    good.replace('#share=1', '#share=3'),
     good.replace('#share=1', '#share=2'),
     good.replace('z', 'b'),
     `${good.slice(0, 60)}A${good.slice(61)}`,
@@ -416,7 +417,7 @@ test('a teacher gives a class a task by link, and receives links to the answers'
     await page.getByRole('textbox', { name: 'Your name' }).fill(name);
     await page.getByRole('button', { name: 'Copy link to hand in' }).click();
     await expect(page.locator('#link-bar').getByText('Copied', { exact: true })).toBeVisible();
-    await expect.poll(() => clipboard(page)).toMatch(/#share=1\.\S+$/);
+    await expect.poll(() => clipboard(page)).toMatch(/#share=2\.\S+$/);
     returned.push(await clipboard(page));
   }
   // The "copied" message disappears when there is a newer answer.
@@ -430,8 +431,8 @@ test('a teacher gives a class a task by link, and receives links to the answers'
     expect(text).toBe(begin.replace('\n\n', `\n${answer}\n`));
     expect(setup).toBe('{"stock":{"diameter":42,"length":60}}');
     expect(language).toBe('en');
-    await expect(page.getByText(/^Task:/)).toHaveCount(0);
     await expect(page.getByText(`From: Anna ${at + 1}`)).toBeVisible();
+    await expect(page.locator('#link-bar p')).toContainText('Task: Turn the shoulder to X32 with G90.');
     expect(await titleOf(page)).toMatch(new RegExp(`^Anna ${at + 1} · `));
   }
   // Each answer is compared with the solution, in one tab.
@@ -460,6 +461,72 @@ test('a teacher gives a class a task by link, and receives links to the answers'
   await openFile(page, 'other.nc', Buffer.from('G00 X1\n'));
   await expect(page.getByText('От: Anna 1')).toHaveCount(0);
   expect(await titleOf(page)).not.toContain('Anna');
+});
+
+test('an answer shows its task and its solution, and is compared with the solution', async ({ page }) => {
+  const stored = storedLinks().find(({ what }) => what === 'an answer with its task');
+  await open(page, stored?.link);
+  const bar = page.locator('#link-bar');
+  await expect(bar.locator('p')).toHaveText('From: Anna\nTask: Turn the shoulder to X32');
+  // The answer is the program; it is not work on the task.
+  expect(await value(page)).toBe(stored?.opens.text);
+  await expect(bar.getByRole('button', { name: 'Copy link to hand in' })).toBeHidden();
+  await bar.getByRole('button', { name: 'Show solution' }).click();
+  await expect(page.getByRole('region', { name: 'Solution', exact: true })).toContainText('X32');
+  await bar.getByRole('button', { name: 'Hide solution' }).click();
+  await bar.getByRole('button', { name: 'Compare with the solution' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Compare' });
+  await expect(dialog.getByRole('img', { name: /^Tool paths of both/ })).toBeVisible();
+  await expect(dialog.locator('del')).toContainText('X32');
+});
+
+test('an answer without a name shows its task', async ({ page }) => {
+  const made = await makeLink({ ...EMPTY_SHARED, text: OWN, answerTo: { sentence: 'Face it', solution: null } });
+  await open(page, made.kind === 'link' ? made.link : '');
+  const bar = page.locator('#link-bar');
+  await expect(bar.locator('p')).toHaveText('Task: Face it');
+  await expect(bar.getByRole('button')).toHaveText(['Hide']);
+  // Another program is not an answer to this task.
+  await openFile(page, 'other.nc', Buffer.from('G00 X1\n'));
+  await expect(bar).toBeHidden();
+});
+
+test('a task without its solution does not contain it', async ({ page }) => {
+  await open(page);
+  await type(page, OWN);
+  await expect.poll(() => value(page)).toBe(OWN);
+  await openShare(page);
+  await page.getByLabel('As a task').check();
+  await page.getByLabel('What is to be done').fill('Turn the shoulder');
+  await page.getByLabel('What the pupil begins with').fill('O0001\nM30\n');
+  await page.getByLabel('With the solution').click();
+  await expect.poll(() => output(page).inputValue()).toContain('#share=2.');
+  const address = await output(page).inputValue();
+  const made = await parseLink(address.slice(address.indexOf('#')));
+  expect(made.kind === 'shared' && made.shared.task).toEqual({ sentence: 'Turn the shoulder', solution: null });
+  expect(JSON.stringify(made)).not.toContain('G90');
+  await openElsewhere(page, address);
+  await expect(page.getByText('Task: Turn the shoulder')).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Show solution' })).toHaveCount(0);
+  await page.getByRole('button', { name: 'Copy link to hand in' }).click();
+  await expect(page.locator('#link-bar').getByText('Copied', { exact: true })).toBeVisible();
+  await openElsewhere(page, await clipboard(page));
+  await expect(page.locator('#link-bar p')).toHaveText('Task: Turn the shoulder');
+});
+
+test('a task of an empty program warns, and an empty task has no link', async ({ page }) => {
+  await open(page);
+  await type(page, '');
+  await expect.poll(() => value(page)).toBe('');
+  await openShare(page);
+  await page.getByLabel('As a task').check();
+  await page.getByLabel('What the pupil begins with').fill('');
+  await expect(page.getByText('The task is empty: write what is to be done')).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Copy', exact: true })).toBeDisabled();
+  await page.getByLabel('What is to be done').fill('Write a program that faces the bar');
+  await expect(page.getByText('The page has no program yet, so the task has no solution.')).toBeVisible();
+  await expect(page.getByLabel('With the solution')).toBeDisabled();
+  await expect(page.getByRole('button', { name: 'Copy', exact: true })).toBeEnabled();
 });
 
 test('a draft of a task is kept when the dialog is closed, until the program is replaced', async ({ page }) => {

@@ -3,16 +3,23 @@
 // In: a program with its context, or the part of an address from `#`. Out: the other one, or a fault. Links come from
 // other people, so every field is validated. Must not know: the contents of a program or a setup.
 //
+//   #share=2.<packed>      version 2: an answer with its task, or a task without a solution; keys as in version 1
 //   #share=1.<packed>      version 1: a JSON object with the keys of `KEYS`, packed by `packed-text.ts`; null values are omitted
 //   #program=…&setup=…     version 0, percent-encoded, as people and other programs write it; its other keys are the attributes of
 //                          the element: control, block-skip, language, view, step, readonly
-// Both versions must remain readable: a change needs a new version. `tests/links.json` has links of each, with their
-// contents.
+// All versions must remain readable: a change needs a new version. `tests/links.json` has links of each, with their
+// contents. A link that version 1 can express is made in version 1, so that an older page can open it.
 
 import { LINK_LIMIT } from './link-limit';
 import { pack, unpack, UNPACKED_LIMIT } from './packed-text';
 
-const VERSION = 1;
+const VERSION = 2;
+
+export interface Task {
+  readonly sentence: string;
+  /** Null: the link does not contain it. */
+  readonly solution: string | null;
+}
 
 /** A program with its context; null: not given. */
 export interface Shared {
@@ -30,7 +37,9 @@ export interface Shared {
   readonly readonly: boolean;
   readonly file: { readonly name: string; readonly encoding: string } | null;
   /** A task: the text is the starting point for the student's program. */
-  readonly task: { readonly sentence: string; readonly solution: string } | null;
+  readonly task: Task | null;
+  /** The task that the text is an answer to. At most one of `task` and `answerTo` is set. */
+  readonly answerTo: Task | null;
   /** Name of the student whose answer to a task this is. */
   readonly name: string | null;
 }
@@ -47,6 +56,7 @@ export const EMPTY_SHARED: Shared = {
   readonly: false,
   file: null,
   task: null,
+  answerTo: null,
   name: null,
 };
 
@@ -64,7 +74,7 @@ type ParsedLink =
   | { readonly kind: 'shared'; readonly shared: Shared }
   | { readonly kind: 'fault'; readonly fault: LinkFault };
 
-/** The keys of version 1. */
+/** The keys of versions 1 and 2; `answer` only of version 2. */
 const KEYS = {
   text: 'p',
   setup: 's',
@@ -80,6 +90,7 @@ const KEYS = {
   sentence: 'q',
   solution: 'a',
   name: 'n',
+  answer: 'h',
 } as const;
 const KNOWN_KEYS: ReadonlySet<string> = new Set(Object.values(KEYS));
 /** Most characters of a text that is not a program, setup or sentence. */
@@ -94,7 +105,9 @@ export type MadeLink =
 
 /** Makes the part of an address from `#`. */
 export async function makeLink(shared: Shared): Promise<MadeLink> {
-  const { text, setup, control, blockSkip, program, language, view, step, file, task, name } = shared;
+  const { text, setup, control, blockSkip, program, language, view, step, file, answerTo, name } = shared;
+  const task = answerTo ?? shared.task;
+  const version = answerTo !== null || task?.solution === null ? 2 : 1;
   const entries = [
     [KEYS.text, text],
     [KEYS.setup, setup],
@@ -110,11 +123,12 @@ export async function makeLink(shared: Shared): Promise<MadeLink> {
     [KEYS.sentence, task?.sentence ?? null],
     [KEYS.solution, task?.solution ?? null],
     [KEYS.name, name],
+    [KEYS.answer, answerTo === null ? null : 1],
   ] as const;
   const json = JSON.stringify(Object.fromEntries(entries.filter(([, value]) => value !== null)));
   const characters = await pack(json);
   if (characters === undefined) return { kind: 'too-long', length: json.length, limit: UNPACKED_LIMIT };
-  const link = `#share=${VERSION}.${characters}`;
+  const link = `#share=${version}.${characters}`;
   return link.length > LINK_LIMIT
     ? { kind: 'too-long', length: link.length, limit: LINK_LIMIT }
     : { kind: 'link', link };
@@ -128,11 +142,11 @@ export async function parseLink(hash: string): Promise<ParsedLink> {
   const version = /^(\d{1,6})(?:\.|$)/.exec(body);
   if (version === null) return fault(body === '' ? { kind: 'cut', missing: undefined } : { kind: 'damaged' });
   if (Number(version[1]) > VERSION) return fault({ kind: 'newer', version: Number(version[1]) });
-  if (Number(version[1]) !== VERSION) return fault({ kind: 'damaged' });
+  if (Number(version[1]) < 1) return fault({ kind: 'damaged' });
   const found = await unpack(body.slice(version[0].length));
   switch (found.kind) {
     case 'text': {
-      const shared = parseShared(found.text);
+      const shared = parseShared(found.text, Number(version[1]));
       return shared === undefined ? fault({ kind: 'damaged' }) : { kind: 'shared', shared };
     }
     case 'cut':
@@ -151,7 +165,7 @@ function fault(fault: LinkFault): ParsedLink {
 }
 
 /** Undefined if a field is invalid, or unknown in this version. */
-function parseShared(json: string): Shared | undefined {
+function parseShared(json: string, version: number): Shared | undefined {
   let parsed: unknown;
   try {
     parsed = JSON.parse(json);
@@ -160,9 +174,11 @@ function parseShared(json: string): Shared | undefined {
   }
   if (typeof parsed !== 'object' || parsed === null || Array.isArray(parsed)) return undefined;
   const fields = new Map<string, unknown>(Object.entries(parsed));
-  const flag = fields.get(KEYS.readonly);
+  const flags = [fields.get(KEYS.readonly), fields.get(KEYS.answer)] as const;
   fields.delete(KEYS.readonly);
-  if (flag !== undefined && flag !== 1) return undefined;
+  fields.delete(KEYS.answer);
+  if (flags.some((flag) => flag !== undefined && flag !== 1)) return undefined;
+  const [isReadonly, isAnswer] = [flags[0] === 1, flags[1] === 1];
   for (const [key, value] of fields) if (!KNOWN_KEYS.has(key) || typeof value !== 'string') return undefined;
   const field = (key: keyof typeof KEYS): string | null => (fields.get(KEYS[key]) as string | undefined) ?? null;
   const shortFields = [
@@ -188,7 +204,10 @@ function parseShared(json: string): Shared | undefined {
   )
     return undefined;
   if ((name?.length ?? 0) > NAME_LIMIT) return undefined;
-  if (field('sentence') !== null && solution === null) return undefined;
+  const sentence = field('sentence');
+  const task: Task | null = sentence === null && solution === null ? null : { sentence: sentence ?? '', solution };
+  if (isAnswer && task === null) return undefined;
+  if ((isAnswer || task?.solution === null) !== (version === 2)) return undefined;
   return {
     text,
     setup: field('setup'),
@@ -198,9 +217,10 @@ function parseShared(json: string): Shared | undefined {
     language: field('language'),
     view: field('view'),
     step: field('step'),
-    readonly: flag === 1,
+    readonly: isReadonly,
     file: fileName === null || encoding === null ? null : { name: fileName, encoding },
-    task: solution === null ? null : { sentence: field('sentence') ?? '', solution },
+    task: isAnswer ? null : task,
+    answerTo: isAnswer ? task : null,
     name,
   };
 }

@@ -1,12 +1,12 @@
-// The bar over the element that describes an opened link: a task with its solution and a button to hand in, the name on
-// an answer, a read-only program, or an error in the link.
+// The bar over the element that describes an opened link: a task with its solution and a button to hand in, the name and
+// task of an answer, a read-only program, or an error in the link.
 //
 // In: what to show; the program to hand in. Out: clicks, and the link to hand in. Loaded only when needed. Must not
 // know: how a program is shown, or the format of an address.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
-import { makeLink, NAME_LIMIT, type MadeLink, type Shared } from '../files/shared-link';
+import { makeLink, NAME_LIMIT, type MadeLink, type Shared, type Task } from '../files/shared-link';
 import { copyField, copyWhenReady } from './fields';
 import { pageAddress, type AddressContent } from './linked';
 import { FAULTS, LINK_WORDS, SHARE_WORDS } from './share-words';
@@ -19,8 +19,8 @@ export type Fault = Extract<AddressContent, { readonly kind: 'fault' }>['fault']
 export type BarContent =
   | { readonly kind: 'fault'; readonly fault: Fault }
   | { readonly kind: 'task'; readonly linked: Shared }
-  /** An answer to a task, with the name that it was handed in under. */
-  | { readonly kind: 'from'; readonly from: string }
+  /** An answer, with the name that it was handed in under; an older link does not contain the task. */
+  | { readonly kind: 'answer'; readonly from: string | undefined; readonly linked: Shared }
   | { readonly kind: 'only-shown'; readonly from: string | undefined };
 
 /** What the page provides to the bar. */
@@ -29,6 +29,7 @@ interface BarHost {
   showAll(): void;
   /** The current program. */
   program(): SavedProgram;
+  compareWith(other: { readonly name: string; readonly text: string }): void;
 }
 
 export class LinkBar {
@@ -107,11 +108,7 @@ export class LinkBar {
         return this.#showText(`${FAULTS[language](content.fault)} ${texts.nothingLost}`, hide());
       case 'task': {
         const { linked } = content;
-        return this.#showText(
-          `${texts.task} ${linked.task?.sentence ?? ''}`.trim(),
-          this.#createSolutionButton(linked, language),
-          hide(),
-        );
+        return this.#showText(taskText(linked.task, language), ...this.#solutionButtons(linked, linked.task), hide());
       }
       case 'only-shown':
         this.#showText(
@@ -120,9 +117,17 @@ export class LinkBar {
         );
         if (content.from !== undefined) this.#text.prepend(...this.#fromLine(content.from), '\n');
         return;
-      case 'from':
-        this.#showText('', hide());
-        return this.#text.replaceChildren(...this.#fromLine(content.from));
+      case 'answer': {
+        const { from, linked } = content;
+        const { answerTo } = linked;
+        const lines = [
+          ...(from === undefined ? [] : this.#fromLine(from)),
+          ...(from === undefined || answerTo === null ? [] : ['\n']),
+          ...(answerTo === null ? [] : [taskText(answerTo, language)]),
+        ];
+        this.#showText('', ...this.#solutionButtons(linked, answerTo), hide());
+        return this.#text.replaceChildren(...lines);
+      }
       case undefined:
         return this.#showText('');
     }
@@ -144,20 +149,29 @@ export class LinkBar {
     this.#solution.replaceChildren();
   }
 
+  /** None if the link does not contain a solution. A teacher can also compare the part of an answer with the wanted one. */
+  #solutionButtons(linked: Shared, task: Task | null): readonly HTMLElement[] {
+    const solution = task?.solution ?? null;
+    if (solution === null) return [];
+    const show = this.#createSolutionButton(linked, solution);
+    if (linked.answerTo === null) return [show];
+    const { solution: name, compareWithSolution: compare } = LINK_WORDS[this.#language];
+    return [this.#createButton(compare, () => this.#host.compareWith({ name, text: solution })), show];
+  }
+
   /** Shows the solution as text beside the user's program, with a separate link, so that the program stays in place. */
-  #createSolutionButton(linked: Shared, language: Language): HTMLElement {
-    const texts = LINK_WORDS[language];
+  #createSolutionButton(linked: Shared, text: string): HTMLElement {
+    const texts = LINK_WORDS[this.#language];
     const button = this.#createButton(texts.showSolution, () => {
       const isShown = this.#solution.hidden;
       this.#solution.hidden = !isShown;
       button.setAttribute('aria-expanded', String(isShown));
       button.textContent = isShown ? texts.hideSolution : texts.showSolution;
       if (!isShown || this.#solution.childElementCount > 0) return;
-      const text = linked.task?.solution ?? '';
       const solutionLink = make('a', { target: '_blank', rel: 'noopener' }, texts.openSolution);
       const program = make('pre', { tabIndex: 0, dir: 'ltr' }, text);
       this.#solution.append(make('div', { role: 'region', 'aria-label': texts.solution }, program, solutionLink));
-      void makeLink({ ...linked, text, task: null, name: null }).then((made) => {
+      void makeLink({ ...linked, text, task: null, answerTo: null, name: null }).then((made) => {
         if (made.kind === 'link') solutionLink.href = made.link;
       });
     });
@@ -168,10 +182,10 @@ export class LinkBar {
 
   // ---- handing in ------------------------------------------------------------------------------------
 
-  /** The user's program with the setup of the task, without the task itself and without a language. */
+  /** The user's program with the task and its setup, without a language. */
   #sharedAnswer(): Shared | undefined {
     if (this.#content?.kind !== 'task') return undefined;
-    const { setup, control, blockSkip, program } = this.#content.linked;
+    const { setup, control, blockSkip, program, task } = this.#content.linked;
     const name = this.#name.value.trim();
     return {
       ...toShared(this.#host.program()),
@@ -179,6 +193,7 @@ export class LinkBar {
       control,
       blockSkip,
       program,
+      answerTo: task,
       name: name === '' ? null : name,
     };
   }
@@ -223,6 +238,10 @@ export class LinkBar {
     button.addEventListener('click', onClick);
     return button;
   }
+}
+
+function taskText(task: Task | null, language: Language): string {
+  return `${LINK_WORDS[language].task} ${task?.sentence ?? ''}`.trim();
 }
 
 function addressOf({ link }: { readonly link: string }): string {

@@ -40,6 +40,7 @@ export function parsePlainLink(hash: string): LinkedProgram | undefined {
     readonly: parameters.has('readonly'),
     file: null,
     task: null,
+    answerTo: null,
     name: null,
   };
 }

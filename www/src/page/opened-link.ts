@@ -4,37 +4,28 @@
 // link; the name on an answer in the title of the tab. The bar is loaded with the first link that contains more than
 // its program. Must not know: what happens to the program.
 
-import type { Language } from '../dom/language';
 import { importWithRetry } from '../dom/network';
-import type { GcodePlayground } from '../shell/element';
+import type { OtherProgram } from './compare-own';
 import { find } from './find';
 import type { Fault, BarContent, LinkBar } from './link-bar';
 import type { LinkedProgram } from './linked';
-import type { SavedProgram } from './storage';
+import type { PageHost } from './page-host';
 import { PAGE_WORDS } from './words';
 
-/** What the page provides to a link. */
-interface LinkHost {
-  readonly playground: GcodePlayground;
-  readonly language: Language;
-  /** The current program with its context. */
-  readonly program: SavedProgram;
-}
-
 export class OpenedLink {
-  readonly #host: LinkHost;
+  readonly #host: PageHost;
   /** The program of the link and its address; kept after another program has replaced it. */
   #last: { readonly address: string; readonly linked: LinkedProgram } | undefined;
   #bar: LinkBar | undefined;
   #barContent: BarContent | undefined;
 
-  constructor(host: LinkHost) {
+  constructor(host: PageHost) {
     this.#host = host;
     const { playground } = host;
     playground.addEventListener('gcode-change', () => this.#bar?.programChanged());
     // Remove the name when another program replaces the answer, by opening a file or by undo.
     playground.addEventListener('gcode-context', () => {
-      if (this.#from !== undefined && host.program.text !== this.#last?.linked.text) this.#showBar(undefined);
+      if (this.#isAnswer && host.program.text !== this.#last?.linked.text) this.#showBar(undefined);
     });
   }
 
@@ -58,7 +49,7 @@ export class OpenedLink {
     const from = cleanName(linked.name);
     if (linked.task !== null) this.#showBar({ kind: 'task', linked });
     else if (readonly || playground.view !== 'all') this.#showBar({ kind: 'only-shown', from });
-    else this.#showBar(from === undefined ? undefined : { kind: 'from', from });
+    else this.#showAnswer(from);
   }
 
   /** Resets the options, so that they do not affect the next link. */
@@ -82,7 +73,11 @@ export class OpenedLink {
   /** The name on the answer that is shown. */
   get #from(): string | undefined {
     const content = this.#barContent;
-    return content?.kind === 'from' || content?.kind === 'only-shown' ? content.from : undefined;
+    return content?.kind === 'answer' || content?.kind === 'only-shown' ? content.from : undefined;
+  }
+
+  get #isAnswer(): boolean {
+    return this.#barContent?.kind === 'answer' || this.#from !== undefined;
   }
 
   /** Puts the name into the title, so that a teacher finds the tabs with the answers of a class. */
@@ -95,7 +90,19 @@ export class OpenedLink {
   #showAll(): void {
     const from = this.#from;
     this.end();
-    if (from !== undefined) this.#showBar({ kind: 'from', from });
+    this.#showAnswer(from);
+  }
+
+  /** Shows the name and the task of an answer; a link that has neither has no bar. */
+  #showAnswer(from: string | undefined): void {
+    const linked = this.#last?.linked;
+    const hasBar = linked !== undefined && (from !== undefined || linked.answerTo !== null);
+    this.#showBar(hasBar ? { kind: 'answer', from, linked } : undefined);
+  }
+
+  async #compareWith(other: OtherProgram): Promise<void> {
+    const { compareWith } = await importWithRetry(() => import('./compare-dialog'));
+    compareWith(this.#host, other);
   }
 
   #showBar(content: BarContent | undefined): void {
@@ -108,6 +115,7 @@ export class OpenedLink {
         this.#bar ??= new LinkBar(find('main'), {
           showAll: () => this.#showAll(),
           program: () => this.#host.program,
+          compareWith: (other) => void this.#compareWith(other),
         });
         this.#bar.show(this.#barContent, this.#host.language);
       },

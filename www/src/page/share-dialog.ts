@@ -55,7 +55,8 @@ class ShareDialog {
     'aria-describedby': 'share-start-news',
   });
   readonly #startNews = make('p', { id: 'share-start-news', className: 'start-news', role: 'status' });
-  readonly #taskAbout = make('p', { className: 'about' });
+  readonly #solution = make('input', { type: 'checkbox', id: 'share-solution', checked: true });
+  readonly #solutionAbout = make('p', { className: 'about' });
   readonly #output = make('textarea', { id: 'share-output', readOnly: true, rows: 5, spellcheck: false, dir: 'ltr' });
   readonly #drawing = make('div', { className: 'drawn' });
   readonly #length = make('p', { className: 'length' });
@@ -73,15 +74,17 @@ class ShareDialog {
     task: checkbox(this.#task),
     sentence: field(this.#sentence),
     start: field(this.#start),
+    solution: checkbox(this.#solution),
     output: field(this.#output),
   };
   readonly #taskFields = make(
     'div',
     { id: 'share-task-fields' },
-    this.#taskAbout,
     this.#fields.sentence.label,
     this.#fields.start.label,
     this.#startNews,
+    this.#fields.solution.label,
+    this.#solutionAbout,
   );
   readonly #dialog = new Dialog(
     'share',
@@ -140,7 +143,7 @@ class ShareDialog {
     this.#dialog.about = texts.about;
     for (const option of this.#form.options) option.textContent = texts.forms[option.value as Form];
     for (const option of this.#view.options) option.textContent = texts.views[option.value as SharedView];
-    const { form, view, language, readonly, task, sentence, start, output } = this.#fields;
+    const { form, view, language, readonly, task, sentence, start, solution, output } = this.#fields;
     for (const [field, text] of [
       [form, texts.as],
       [view, texts.view],
@@ -149,10 +152,11 @@ class ShareDialog {
       [task, texts.task],
       [sentence, texts.sentence],
       [start, texts.start],
+      [solution, texts.solution],
       [output, texts.output],
     ] as const)
       field.caption.textContent = text;
-    this.#taskAbout.textContent = texts.taskAbout;
+    this.#solutionAbout.textContent = texts.solutionAbout;
     for (const [button, text] of [
       [this.#copy, texts.copy],
       [this.#send, texts.send],
@@ -170,6 +174,8 @@ class ShareDialog {
       this.#task.checked = false;
       this.#sentence.value = '';
       this.#start.value = host.example?.program ?? text;
+      this.#solution.checked = text.trim() !== '';
+      this.#solution.disabled = text.trim() === '';
     }
     if (!this.#task.checked) this.#language.checked = true;
     this.#followTask();
@@ -218,7 +224,9 @@ class ShareDialog {
       view,
       step: this.#step.checked ? this.#toolStep : null,
       readonly: this.#readonly.checked && !isTask,
-      task: isTask ? { sentence: this.#sentence.value.trim(), solution: program.text } : null,
+      task: isTask
+        ? { sentence: this.#sentence.value.trim(), solution: this.#solution.checked ? program.text : null }
+        : null,
     };
   }
 
@@ -235,8 +243,8 @@ class ShareDialog {
     readonly.label.hidden = isPicture || (this.#task.checked && !task.label.hidden);
     this.#fields.step.label.hidden = isPicture || this.#toolStep === null;
     this.#taskFields.hidden = task.label.hidden || !this.#task.checked;
-    const isSolution = asFieldText(this.#start.value) === asFieldText(host.program.text);
-    setText(this.#startNews, isSolution && !this.#taskFields.hidden ? texts.startIsSolution : '');
+    this.#solutionAbout.hidden = !this.#solution.checked;
+    setText(this.#startNews, this.#taskFields.hidden ? '' : this.#taskNews(host, texts));
     output.label.hidden = form === 'qr' || isPicture;
     this.#copy.hidden = output.label.hidden;
     this.#send.hidden = form !== 'link' || !('share' in navigator);
@@ -246,17 +254,30 @@ class ShareDialog {
     // Clear the output, so that a result of earlier options cannot be copied.
     this.#output.value = '';
     this.#copy.disabled = this.#send.disabled = true;
-    const made: ShareOutput = isPicture
-      ? { text: '', length: '', drawn: await this.#picture(host) }
-      : await this.#makeOutput(form, this.#sharedContent(host), host, texts).catch(() => ({
-          text: '',
-          length: texts.notMade,
-        }));
+    const made: ShareOutput = this.#isEmptyTask
+      ? { text: '', length: '' }
+      : isPicture
+        ? { text: '', length: '', drawn: await this.#picture(host) }
+        : await this.#makeOutput(form, this.#sharedContent(host), host, texts).catch(() => ({
+            text: '',
+            length: texts.notMade,
+          }));
     if (request !== this.#requestCount) return;
     this.#output.value = made.text;
     this.#copy.disabled = this.#send.disabled = made.text === '';
     this.#length.textContent = made.length;
     this.#drawing.replaceChildren(...(made.drawn === undefined ? [] : [made.drawn]));
+  }
+
+  #taskNews(host: PageHost, texts: ShareWords): string {
+    if (this.#isEmptyTask) return texts.emptyTask;
+    if (this.#solution.disabled) return texts.noSolution;
+    const isSolution = asFieldText(this.#start.value) === asFieldText(host.program.text);
+    return isSolution && this.#solution.checked ? texts.startIsSolution : '';
+  }
+
+  get #isEmptyTask(): boolean {
+    return this.#isTask && this.#sentence.value.trim() === '' && this.#start.value.trim() === '';
   }
 
   async #makeOutput(form: Form, shared: Shared, host: PageHost, texts: ShareWords): Promise<ShareOutput> {
