@@ -120,7 +120,10 @@ for (const { name, viewport, hasTouch, controls, code, drawing } of WINDOWS) {
           await page
             .locator('gcode-playground')
             .evaluate((element) => Reflect.get(element, 'settled') as Promise<number>);
-          await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+          await page.evaluate(() => {
+            const { activeElement } = document;
+            ((activeElement?.shadowRoot?.activeElement ?? activeElement) as HTMLElement | null)?.blur();
+          });
           await check('own program');
         });
       });

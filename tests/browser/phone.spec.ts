@@ -103,6 +103,33 @@ test('above the keyboard of a phone are a row of keys and at least 8 lines of th
   await context.close();
 });
 
+test('on a phone a blank line offers a cycle under the tab Program, also with no keyboard on the screen', async ({
+  browser,
+  baseURL,
+}, info) => {
+  const context = await browser.newContext({
+    ...(baseURL === undefined ? {} : { baseURL }),
+    viewport: { width: 390, height: 844 },
+    isMobile: true,
+    hasTouch: true,
+    locale: 'en-US',
+  });
+  const page = (await context.newPage()) as ChromiumPage;
+  await open(page);
+  const insert = page.getByRole('button', { name: 'Insert cycle…' });
+  await expect(insert).toBeHidden();
+  await type(page, 'O1\nT0101\nG97 G99 S600 M03\nG00 X52 Z2\n');
+  await expect(insert).toBeInViewport();
+  await page.screenshot({ path: info.outputPath('insert.png') });
+  await page.keyboard.press('ArrowUp');
+  await expect(insert).toBeHidden();
+  await page.keyboard.press('ArrowDown');
+  await insert.tap();
+  await page.getByRole('dialog').getByRole('button', { name: /^G71/ }).tap();
+  await expect.poll(() => value(page)).toContain('G71 U2 R1');
+  await context.close();
+});
+
 test('light and dark mode follow the system or the setting', async ({ page }, info) => {
   const ground = () => page.locator('body').evaluate((body) => getComputedStyle(body).backgroundColor);
   await open(page);
@@ -141,10 +168,15 @@ test('the table of codes is shown in Chinese and Russian, in dark mode and on a 
   });
   const phone = (await context.newPage()) as ChromiumPage;
   await open(phone);
-  // On a phone the items of "Help" are in the menu "More".
+  // On a phone "Help" is an item of the menu "More".
   await expect(phone.getByRole('button', { name: 'Справка', exact: true })).toBeHidden();
   const more = phone.getByRole('button', { name: 'Ещё', exact: true });
   await more.tap();
+  const help = phone.getByRole('menuitem', { name: 'Справка' });
+  const above = (await help.boundingBox())?.y;
+  expect(above).toBeLessThan((await phone.getByRole('menuitemradio', { name: 'English' }).boundingBox())?.y ?? 0);
+  await help.tap();
+  await expect(phone.getByRole('menuitem', { name: 'Обучение' })).toBeInViewport();
   await phone.getByRole('menuitem', { name: 'Клавиши и жесты' }).tap();
   const keys = phone.getByRole('dialog', { name: 'Клавиши и жесты' });
   await expect(keys).toBeInViewport();

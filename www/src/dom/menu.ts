@@ -15,6 +15,8 @@ export function menuItem(properties: Readonly<Record<string, string | boolean>> 
 export class Menu {
   readonly button: HTMLButtonElement;
   readonly element: HTMLElement;
+  /** The button at which the menu is open, if it is not its own. */
+  #opener: HTMLElement | undefined;
 
   /** `name` is the class and the part of the button (`name-button`) and of the menu. */
   constructor(name: string, button: readonly Node[], contents: readonly Node[]) {
@@ -44,8 +46,7 @@ export class Menu {
       (event) => {
         const path = event.composedPath();
         if (!this.#visible.some((item) => path.includes(item))) return;
-        this.element.hidePopover();
-        this.button.focus();
+        this.#close();
       },
       { capture: true },
     );
@@ -53,7 +54,7 @@ export class Menu {
       const open = event.newState === 'open';
       this.button.setAttribute('aria-expanded', String(open));
       if (!open) return;
-      placePopover(this.button, this.element);
+      placePopover(this.#opener ?? this.button, this.element);
       if (!this.#visible.some((item) => isFocused(item))) this.#focusItem(0);
     });
   }
@@ -64,6 +65,18 @@ export class Menu {
 
   get open(): boolean {
     return this.element.matches(':popover-open');
+  }
+
+  /** Opens the menu at another button, which has the focus once the menu is closed. */
+  openAt(opener: HTMLElement): void {
+    this.#opener = opener;
+    this.element.showPopover();
+  }
+
+  #close(): void {
+    const opener = this.#opener ?? this.button;
+    this.element.hidePopover();
+    opener.focus();
   }
 
   /** The items that can be chosen, whether or not the menu is open. */
@@ -90,8 +103,7 @@ export class Menu {
     else if (event.key === 'Home') this.#focusItem(0);
     else if (event.key === 'End') this.#focusItem(-1);
     else if (event.key === 'Tab' || event.key === 'Escape') {
-      this.element.hidePopover();
-      this.button.focus();
+      this.#close();
     } else if (event.key.length === 1 && event.key !== ' ' && !event.ctrlKey && !event.metaKey && !event.altKey) {
       const letter = event.key.toLocaleLowerCase();
       const order = items.map((_, step) => items[(at + 1 + step) % items.length]);

@@ -27,6 +27,8 @@ class Header implements Panel {
   readonly #undo = make('button', { type: 'button', className: 'undo', disabled: true }, icon('undo'));
   readonly #redo = make('button', { type: 'button', className: 'redo', disabled: true }, icon('redo'));
   readonly #redoItem = menuItem({ className: 'redo-item', hidden: true });
+  readonly #helpItem = menuItem({ className: 'help-item', 'aria-haspopup': 'menu', hidden: true });
+  #isNarrow = false;
   readonly elements: Panel['elements'];
 
   constructor(shell: Shell) {
@@ -44,15 +46,14 @@ class Header implements Panel {
     this.#redo.addEventListener('click', () => this.#travel('redo'));
     this.#undo.hidden = this.#redo.hidden = shell.readonly;
     // A narrow row has no button for help and redo: they are in the menu "More".
-    const helpItems = [...this.#menus.help.element.childNodes];
     this.#redoItem.addEventListener('click', () => this.#travel('redo'));
-    more.element.prepend(this.#redoItem);
+    this.#helpItem.addEventListener('click', () => help.openAt(more.button));
+    more.element.prepend(this.#helpItem, this.#redoItem);
     new ResizeObserver(([entry]) => {
       // Without a row there is no width.
       if (entry === undefined || entry.contentRect.width === 0) return;
-      const isNarrow = entry.contentRect.width < NARROW_REM * remOf(this.#undo);
-      this.#redoItem.hidden = !isNarrow || shell.readonly;
-      (isNarrow ? more : help).element.append(...helpItems);
+      this.#isNarrow = entry.contentRect.width < NARROW_REM * remOf(this.#undo);
+      this.#redoItem.hidden = !this.#isNarrow || shell.readonly;
       this.#hideEmptyMenus();
     }).observe(shell.region('head'));
     this.elements = {
@@ -72,7 +73,9 @@ class Header implements Panel {
 
   get commands(): readonly UserCommand[] {
     const texts = WORDS[this.#shell.language];
-    const items = MENUS.flatMap((name) => this.#menus[name].choices).filter((item) => item !== this.#redoItem);
+    const items = MENUS.flatMap((name) => this.#menus[name].choices).filter(
+      (item) => item !== this.#redoItem && item !== this.#helpItem,
+    );
     return [
       { name: texts.undo, keys: 'Ctrl Z', run: () => this.#travel('undo') },
       { name: texts.redo, keys: 'Ctrl Y', run: () => this.#travel('redo') },
@@ -87,6 +90,7 @@ class Header implements Panel {
     this.#labels.share.textContent = texts.share;
     this.#labels.help.textContent = texts.help;
     this.#redoItem.textContent = texts.redo;
+    this.#helpItem.textContent = texts.help;
     for (const name of ['share', 'help', 'more'] as const) setAccessibleName(this.#menus[name].button, texts[name]);
     setAccessibleName(this.#undo, `${texts.undo} (Ctrl Z)`);
     setAccessibleName(this.#redo, `${texts.redo} (Ctrl Y)`);
@@ -98,6 +102,8 @@ class Header implements Panel {
     for (const { button, element } of Object.values(this.#menus)) {
       const item = element.querySelector('[role^=menuitem]:not([hidden], .redo-item)');
       button.hidden = item === null && !hasSlotted(element);
+      // The menu "More" is the last one.
+      if (element === this.#menus.help.element) this.#helpItem.hidden = !this.#isNarrow || button.hidden;
     }
   }
 
