@@ -120,10 +120,8 @@ for (const { name, viewport, hasTouch, controls, code, drawing } of WINDOWS) {
           await page
             .locator('gcode-playground')
             .evaluate((element) => Reflect.get(element, 'settled') as Promise<number>);
-          await page.evaluate(() => {
-            const { activeElement } = document;
-            ((activeElement?.shadowRoot?.activeElement ?? activeElement) as HTMLElement | null)?.blur();
-          });
+          await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+          await expect(page.locator('.cm-focused')).toHaveCount(0);
           await check('own program');
         });
       });

@@ -184,6 +184,7 @@ test('the table of codes is shown in Chinese and Russian, in dark mode and on a 
   await keys.getByRole('button', { name: 'Закрыть' }).tap();
   await expect(keys).toBeHidden();
   await more.tap();
+  await help.tap();
   await phone.getByRole('menuitem', { name: 'Поддерживаемые коды' }).tap();
   const table = phone.getByRole('dialog', { name: 'Поддерживаемые коды' });
   await expect(table).toContainText('ускоренное перемещение');
