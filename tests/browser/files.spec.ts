@@ -99,7 +99,7 @@ test('the time is shown before playing, and a table lists the work of each tool'
   await expect(totals.getByRole('row', { name: /^T0101/ })).toContainText('0:13');
   await expect(totals.getByRole('row', { name: /^T0202/ })).toContainText('0:06');
   await expect(totals.getByRole('row', { name: /^All/ })).toContainText('18.0');
-  await expect(totals).toContainText('8 m/min is assumed');
+  await expect(totals).toContainText('8,000 mm/min is assumed');
   await page.keyboard.press('Escape');
   await expect(totals).toBeHidden();
   await expect(drawing(page)).toBeVisible();

@@ -45,16 +45,16 @@ export function durationNote(
 const WORDS = words({
   en: {
     cuts: counter('en', { one: 'cut', other: 'cuts' }),
-    rapidsAssumed: 'The setup gives no rapid traverse rate: 8 m/min is assumed.',
+    rapidsAssumed: 'The setup gives no rapid traverse rate: 8,000 mm/min is assumed.',
     cutsUnknown: 'How long some cuts take is not known: they have no feed rate, or the spindle is stopped.',
   },
   zh: {
     cuts: (n) => `${n} 段切削`,
-    rapidsAssumed: '设置中没有给出快移速度，按 8 m/min 计算。',
+    rapidsAssumed: '设置中没有给出快移速度，按 8,000 mm/min 计算。',
     cutsUnknown: '部分切削所需时间未知：没有进给量，或主轴未转动。',
   },
   ru: {
-    rapidsAssumed: 'В наладке нет скорости ускоренного хода: взято 8 м/мин.',
+    rapidsAssumed: 'В наладке нет скорости ускоренного хода: взято 8 000 мм/мин.',
     cutsUnknown: 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.',
     cuts: counter('ru', { one: 'рабочий ход', few: 'рабочих хода', many: 'рабочих ходов', other: 'рабочего хода' }),
   },

@@ -10,7 +10,7 @@ import { COMMON, words } from '../dom/words';
 import { download } from '../editor/program-files';
 import type { ProfileKind, ProfilesResult, Profiles } from '../protocol/protocol';
 import { EXAMPLE_MACHINE_IDS, EXAMPLE_MACHINES } from './example-machines';
-import { formatShort, MM_PER_UNIT } from './lengths';
+import { MM_PER_UNIT } from './lengths';
 import {
   chosenMachine,
   deleteProfile,
@@ -23,8 +23,6 @@ import {
 
 /** A setup is short: a longer file is rejected. */
 const MAX_FILE_BYTES = 1 << 20;
-/** Millimetres for the unit of a rapid traverse rate: m/min, in/min. */
-const MM_PER_RATE = { mm: 1000, inch: MM_PER_UNIT.inch } as const;
 const KINDS = ['machine', 'tools'] as const;
 
 interface ProfilesEvents {
@@ -120,7 +118,8 @@ export class ProfilesDialog {
       const { dialect, machine: values } = EXAMPLE_MACHINES[id];
       const { rapidX, rapidZ, maxSpeed, turret } = values;
       const { unit = 'mm' } = dialect;
-      const numbers = [rapidX, rapidZ].map((rate) => formatShort(rate / MM_PER_RATE[unit], 1)).join(' / ');
+      const format = new Intl.NumberFormat(this.#language, { maximumFractionDigits: 0 });
+      const numbers = [rapidX, rapidZ].map((rate) => format.format(rate / MM_PER_UNIT[unit])).join(' / ');
       const rates = `${numbers} ${texts.rate[unit]}`;
       return make(
         'li',
@@ -172,8 +171,21 @@ export class ProfilesDialog {
 
   #nameOf(machine: MachineChoice): string {
     const name = machineName(machine, this.#language);
-    const isInUse = this.#machine?.from === machine.from && name === machineName(this.#machine, this.#language);
-    return isInUse ? WORDS[this.#language].inUse(name) : name;
+    return this.#isInUse(machine) ? WORDS[this.#language].inUse(name) : name;
+  }
+
+  /** The chosen machine or, without one, a kept machine with the values of the program's machine. */
+  #isInUse(machine: MachineChoice): boolean {
+    const chosen = this.#machine;
+    if (chosen !== undefined)
+      return (
+        chosen.from === machine.from && machineName(chosen, this.#language) === machineName(machine, this.#language)
+      );
+    return (
+      machine.from === 'stored' &&
+      this.#current.machine !== undefined &&
+      storedProfile('machine', machine.name) === this.#current.machine
+    );
   }
 
   #useMachine(machine: MachineChoice | undefined): void {
@@ -261,7 +273,7 @@ const WORDS = words({
     examples: 'Example machines',
     aboutExamples: 'Example values: put in those of your machine in the setup form, then keep it here.',
     facts: (rates: string, speed: number, turret: string) => `rapid traverse ${rates}, up to ${speed} rpm, ${turret}`,
-    rate: { mm: 'm/min', inch: 'in/min' },
+    rate: { mm: 'mm/min', inch: 'in/min' },
     turret: { rear: 'rear turret', front: 'front turret' },
     export: 'Export',
     delete: 'Delete',
@@ -288,7 +300,7 @@ const WORDS = words({
     examples: '示例机床',
     aboutExamples: '数值仅为示例：请在设置表中改为您机床的数值，再保存到这里。',
     facts: (rates, speed, turret) => `快速移动 ${rates}，最高 ${speed} r/min，${turret}`,
-    rate: { mm: 'm/min', inch: 'in/min' },
+    rate: { mm: 'mm/min', inch: 'in/min' },
     turret: { rear: '后置刀架', front: '前置刀架' },
     export: '导出',
     delete: '删除',
@@ -316,7 +328,7 @@ const WORDS = words({
     examples: 'Примеры станков',
     aboutExamples: 'Значения — пример: укажите в форме наладки значения своего станка и сохраните его здесь.',
     facts: (rates, speed, turret) => `ускоренное перемещение ${rates}, до ${speed} об/мин, ${turret}`,
-    rate: { mm: 'м/мин', inch: 'дюйм/мин' },
+    rate: { mm: 'мм/мин', inch: 'дюйм/мин' },
     turret: { rear: 'головка за осью шпинделя', front: 'головка перед осью шпинделя' },
     export: 'Экспорт',
     delete: 'Удалить',

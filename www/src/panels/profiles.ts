@@ -93,6 +93,7 @@ class Profiles implements Panel {
         () => import('./profiles-dialog'),
         () => void this.#open(),
       ),
+      this.#compareMachines(),
     ]);
     if (part === undefined) return;
     if (this.#dialog === undefined) {

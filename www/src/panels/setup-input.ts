@@ -104,9 +104,10 @@ export class SetupInput {
     this.#assumed = assumed;
     this.#picker?.update();
     const placeholder =
-      assumed === '' ? '' : WORDS[this.#language].placeholder(scaled(assumed, 1 / this.#mmPerUnit, DECIMALS.inch));
-    if (this.#emptyOption !== undefined)
-      this.#emptyOption.textContent = placeholder === '' ? WORDS[this.#language].nothing : placeholder;
+      assumed === ''
+        ? WORDS[this.#language].nothing
+        : WORDS[this.#language].placeholder(scaled(assumed, 1 / this.#mmPerUnit, DECIMALS.inch));
+    if (this.#emptyOption !== undefined) this.#emptyOption.textContent = placeholder;
     else (this.#input as HTMLInputElement).placeholder = placeholder;
     this.#input.classList.toggle('unsaid', this.#input.value === '');
     this.element.hidden = shown === 'hidden';
@@ -143,14 +144,14 @@ const WORDS = words({
   en: {
     /** Placeholder of an empty field: the value that is assumed. */
     placeholder: (value: string) => `${value} (assumed)`,
-    nothing: '—',
+    nothing: 'not set',
   },
   zh: {
     placeholder: (value) => `${value}（假定）`,
-    nothing: '—',
+    nothing: '未设置',
   },
   ru: {
     placeholder: (value) => `${value} (по умолчанию)`,
-    nothing: '—',
+    nothing: 'не задано',
   },
 });
