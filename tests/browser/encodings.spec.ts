@@ -188,7 +188,7 @@ test('after a reload, and after undoing another file, a program is still saved i
   await editor(page).focus();
   const waiting = page.waitForEvent('download');
   await page.keyboard.press('Control+S');
-  expect((await waiting).suggestedFilename()).toBe('program.nc');
+  expect((await waiting).suggestedFilename()).toBe('O0001.nc');
 });
 
 test('an element outside of a document refuses to open a file', async ({ page }) => {

@@ -1,7 +1,7 @@
 // Exported files: each kind is chosen from the menu "Share" and has the expected content.
 import { expect, test, type Page } from './engines';
 import { readFileSync } from 'node:fs';
-import { choose, motionCount, open, openFile, openMenu, status, type } from './page';
+import { choose, editor, motionCount, open, openFile, openMenu, status, type } from './page';
 
 const button = (page: Page) => page.getByRole('button', { name: 'Share' });
 const menu = (page: Page) => page.getByRole('menu', { name: 'Share' });
@@ -135,7 +135,7 @@ test('the menu works by keyboard', async ({ page }) => {
   await expect(last).toBeFocused();
   const saved = page.waitForEvent('download');
   await page.keyboard.press('Enter');
-  expect((await saved).suggestedFilename()).toBe('program-plain.nc');
+  expect((await saved).suggestedFilename()).toBe('O0002-plain.nc');
   await expect(menu(page)).toBeHidden();
   await expect(button(page)).toBeFocused();
 });
@@ -152,4 +152,27 @@ test('without a part the page shows a message', async ({ page }) => {
   await openMenu(page, 'share');
   for (const item of [/SVG/, /STL/, /NC/]) await expect(page.getByRole('menuitem', { name: item })).toBeDisabled();
   await expect(page.getByRole('menuitem', { name: 'Link, task, QR code…' })).toBeEnabled();
+});
+
+test('the printed sheet names the program, the start and the clamping of the blank', async ({ page }) => {
+  await page.addInitScript(() => {
+    window.print = () => {
+      dispatchEvent(new Event('beforeprint'));
+      const sheet = document.querySelector('gcode-playground')?.shadowRoot?.querySelector('.sheet');
+      Reflect.set(window, 'printed', sheet?.textContent ?? '');
+    };
+  });
+  await open(page);
+  await openFile(page, 'shaft.nc', Buffer.from('O0042 (SHAFT)\nT0101\nG97 S800 M03\nG00 X42 Z2\nG01 Z-9 F0.2\nM30\n'));
+  await page
+    .locator('gcode-playground')
+    .evaluate((element) => element.setAttribute('setup', '{"stock":{"diameter":40,"length":60,"grip":25}}'));
+  await page.locator('gcode-playground').evaluate((element) => Reflect.get(element, 'settled') as Promise<number>);
+  await editor(page).focus();
+  await page.keyboard.press('Control+P');
+  const printed = (): Promise<string> => page.evaluate(() => String(Reflect.get(window, 'printed')));
+  await expect.poll(printed).toContain('shaft.nc');
+  expect(await printed()).toContain('Clamping length 25 mm');
+  expect(await printed()).toContain('Blank out of the jaws: 35 mm');
+  expect(await printed()).toMatch(/X \(diameter\) 200 mm \(assumed\), Z 200 mm \(assumed\)/);
 });

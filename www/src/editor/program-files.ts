@@ -10,6 +10,23 @@ import type { ProgramFile } from './program-text';
 /** The name of a program that was not opened from a file. */
 const DEFAULT_FILE: ProgramFile = { name: 'program.nc', encoding: 'utf-8' };
 
+const FIRST_PROGRAM = /^[ \t/]*(?:[O:][ \t]*(\d{1,8})|O?<([A-Z0-9+\-_. ]{1,32})>)/im;
+/** The program is searched in the first characters only. */
+const HEAD_LENGTH = 5_000;
+
+/** The O number of the first program in a text, or its name. */
+export function programName(text: string): string | undefined {
+  const [, number, name] = FIRST_PROGRAM.exec(text.slice(0, HEAD_LENGTH)) ?? [];
+  return number === undefined ? name : `O${number}`;
+}
+
+/** A name, without an ending, for the files that are made of a program: that of its file, or its O number. */
+export function fileStem(text: string, file: ProgramFile | undefined): string {
+  const stem = file === undefined ? programName(text) : file.name.replace(/(.)\.[^.]*$/, '$1');
+  // No system forbids the other characters.
+  return (stem ?? '').replace(/[\\/:*?"<>|\p{Cc}]+/gu, '-').trim() || 'program';
+}
+
 interface Saved {
   readonly bytes: Uint8Array<ArrayBuffer>;
   /** The file as saved: in UTF-8 if its own encoding cannot represent a character. */

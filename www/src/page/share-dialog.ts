@@ -7,7 +7,7 @@ import { Dialog } from '../dom/dialog';
 import { make, setText } from '../dom/dom';
 import { importWithRetry } from '../dom/network';
 import { COMMON } from '../dom/words';
-import { download } from '../editor/program-files';
+import { download, fileStem } from '../editor/program-files';
 import { foldLineEnds } from '../files/line-ends';
 import { makeLink, type Shared } from '../files/shared-link';
 import { elementText, frameText, markdownText } from './embed-text';
@@ -324,7 +324,7 @@ class ShareDialog {
     if (file === undefined) this.#status.textContent = SHARE_WORDS[host.language].noPicture;
     else
       download(
-        `${(host.program.file?.name ?? '').replace(/\.[^.]*$/, '') || 'program'}.${format}`,
+        `${fileStem(host.program.text, host.playground.file)}.${format}`,
         new Uint8Array(await file.arrayBuffer()),
       );
   }

@@ -5,7 +5,7 @@
 import type { Language } from '../dom/language';
 import { menuItem } from '../dom/menu';
 import { words } from '../dom/words';
-import { bytesToSave, download } from '../editor/program-files';
+import { bytesToSave, download, fileStem } from '../editor/program-files';
 import type { ExportFormat } from '../protocol/protocol';
 import type { Panel, PanelKind, Shell } from './panel';
 
@@ -50,18 +50,12 @@ class Exports implements Panel {
     }
     const { content, ending } = exported;
     const { file } = editor;
-    const name = exportName(file?.name, format, ending);
+    const stem = fileStem(editor.text, file);
+    const name = stem === 'program' && format === 'card' ? 'setup-sheet.html' : `${stem}${ending}`;
     // A program is saved in the encoding of its file, as "Save file" does.
     const asProgram = file !== undefined && format === 'program';
     download(name, asProgram ? bytesToSave(new TextDecoder().decode(content), { ...file, name }).bytes : content);
   }
-}
-
-/** The file name of an export, made from the name of the program. */
-function exportName(program: string | undefined, format: ExportFormat, ending: string): string {
-  const stem = (program ?? '').replace(/\.[^.]*$/, '');
-  if (stem === '' && format === 'card') return 'setup-sheet.html';
-  return `${stem === '' ? 'program' : stem}${ending}`;
 }
 
 const WORDS = words({

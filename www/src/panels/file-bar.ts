@@ -8,7 +8,7 @@ import { acceptFiles } from '../dom/drop';
 import type { Language } from '../dom/language';
 import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
-import { bytesToSave, download, reread } from '../editor/program-files';
+import { bytesToSave, download, fileStem, reread } from '../editor/program-files';
 import { programText, type ProgramFile } from '../editor/program-text';
 import type { OpenedFile } from '../editor/read-program';
 import { ENCODINGS, type Encoding } from '../files/encoding-list';
@@ -127,7 +127,7 @@ class FileBar implements Panel {
     const { editor } = this.#shell;
     const before = editor.file;
     const { bytes, file, unencodable } = bytesToSave(editor.textWithLineEnds, before);
-    download(file.name, bytes);
+    download(before === undefined ? `${fileStem(editor.text, undefined)}.nc` : file.name, bytes);
     if (unencodable === undefined || before === undefined) return;
     editor.file = file;
     this.#shell.service('notice')(this.#words.savedAsUtf8(file.name, ENCODING_NAMES[before.encoding], unencodable));

@@ -8,9 +8,13 @@ import { make, renderProse } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { isPrinting } from '../dom/printing';
 import { COMMON, words } from '../dom/words';
-import type { Diagnostic, SetupForm } from '../protocol/protocol';
+import { programName } from '../editor/program-files';
+import type { Diagnostic, SetupForm, SetupState } from '../protocol/protocol';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import printStyles from './print.css?inline';
+
+/** Groups whose assumed values are printed, too: the operator clamps the blank and moves the tool to the start. */
+const WITH_ASSUMED: readonly string[] = ['stock', 'start'];
 
 /** Most lines of a program, and most problems, that are printed. */
 const MAX_LINES = 5_000;
@@ -23,7 +27,7 @@ class Print implements Panel {
   readonly #sheet = make('div', { className: 'sheet' });
   readonly #picture = make('img', { className: 'sheet-drawing', alt: '' });
   /** The answers that were requested before printing began. */
-  #prepared: { readonly setup: SetupForm | undefined } | undefined;
+  #prepared: { readonly setup: SetupForm | undefined; readonly states: readonly SetupState[] } | undefined;
   readonly elements = { dialogs: [this.#sheet] };
 
   constructor(shell: Shell) {
@@ -64,13 +68,24 @@ class Print implements Panel {
       this.#picture.src = URL.createObjectURL(new Blob([drawing.content], { type: 'image/svg+xml' }));
       await this.#picture.decode().catch(() => undefined);
     }
-    this.#prepared = { setup };
+    const fields = (setup?.groups ?? []).flatMap(({ fields }) => fields);
+    const answer =
+      setup === undefined
+        ? undefined
+        : await this.#shell.ask('read-setup', {
+            keys: fields.map(({ key }) => key),
+            texts: fields.map(({ value }) => value),
+            keep: setup.place,
+            json: this.#shell.setup ?? '{}',
+          });
+    this.#prepared = { setup, states: answer?.fields ?? [] };
     window.print();
   }
 
   readonly #onBeforePrint = (): void => {
     const { language, editor } = this.#shell;
     const texts = WORDS[language];
+    const name = editor.file?.name ?? programName(editor.text);
     const lines = editor.text.split('\n');
     const marked = new Map<number, Diagnostic['severity']>();
     for (const { line, severity } of this.#shell.diagnostics)
@@ -83,7 +98,7 @@ class Print implements Panel {
     );
     const more = lines.length - MAX_LINES;
     this.#sheet.replaceChildren(
-      ...(editor.file === undefined ? [] : [make('h1', {}, editor.file.name)]),
+      ...(name === undefined ? [] : [make('h1', {}, name)]),
       ...(this.#picture.src === '' ? [] : [this.#picture]),
       ...this.#problems(texts),
       ...this.#setup(texts),
@@ -123,33 +138,52 @@ class Print implements Panel {
     return [make('h2', {}, texts.problems), list, ...(more > 0 ? [make('p', {}, texts.more(more))] : [])];
   }
 
-  /** The given values only; fields that are not filled in are left out. */
+  /** The given values, and the assumed ones of blank and start; other fields that are not filled in are left out. */
   #setup(texts: (typeof WORDS)['en']): readonly HTMLElement[] {
-    const groups = (this.#prepared?.setup?.groups ?? []).map(({ title, fields }) => ({
+    const assumed = new Map(this.#prepared?.states.map((state) => [state.key, state.assumed]));
+    const groups = (this.#prepared?.setup?.groups ?? []).map(({ group, title, fields }) => ({
       title,
-      filled: fields.filter(({ value }) => value !== ''),
+      filled: fields.flatMap(({ key, label, value, unit, choices }) => {
+        const usual = WITH_ASSUMED.includes(group) ? (assumed.get(key) ?? '') : '';
+        if (value === '' && usual === '') return [];
+        const shown = value === '' ? usual : (choices.find((choice) => choice.value === value)?.text ?? value);
+        const text = `${label} ${shown}${unit === '' ? '' : ` ${unit}`}`;
+        return [value === '' ? texts.assumed(text) : text];
+      }),
     }));
+    const [length, grip] = ['stock.length', 'stock.grip'].map((key) => {
+      const fields = this.#prepared?.setup?.groups.flatMap(({ fields }) => fields);
+      return Number(fields?.find((field) => field.key === key)?.value || assumed.get(key) || Number.NaN);
+    });
+    const out = Number(((length ?? Number.NaN) - (grip ?? Number.NaN)).toFixed(3));
     const rows = groups
       .filter(({ filled }) => filled.length > 0)
-      .map(({ title, filled }) =>
-        make(
-          'li',
-          {},
-          make('strong', {}, `${title}: `),
-          filled
-            .map(
-              ({ label, value, unit, choices }) =>
-                `${label} ${choices.find((choice) => choice.value === value)?.text ?? value}${unit === '' ? '' : ` ${unit}`}`,
-            )
-            .join(', '),
-        ),
-      );
+      .map(({ title, filled }) => make('li', {}, make('strong', {}, `${title}: `), filled.join(', ')));
+    if (out > 0) rows.push(make('li', {}, texts.outOfJaws(out)));
     return rows.length === 0 ? [] : [make('h2', {}, texts.setup), make('ul', { className: 'sheet-setup' }, ...rows)];
   }
 }
 
 const WORDS = words({
-  en: { problems: 'Problems', setup: 'Setup', more: (n: number) => `… and ${n} more` },
-  zh: { problems: '问题', setup: '毛坯与刀具', more: (n) => `……另有 ${n} 项` },
-  ru: { problems: 'Замечания', setup: 'Наладка', more: (n) => `… и ещё ${n}` },
+  en: {
+    problems: 'Problems',
+    setup: 'Setup',
+    more: (n: number) => `… and ${n} more`,
+    assumed: (value: string) => `${value} (assumed)`,
+    outOfJaws: (mm: number) => `Blank out of the jaws: ${mm} mm`,
+  },
+  zh: {
+    problems: '问题',
+    setup: '毛坯与刀具',
+    more: (n) => `……另有 ${n} 项`,
+    assumed: (value) => `${value}（假定）`,
+    outOfJaws: (mm) => `毛坯伸出卡爪的长度：${mm} mm`,
+  },
+  ru: {
+    problems: 'Замечания',
+    setup: 'Наладка',
+    more: (n) => `… и ещё ${n}`,
+    assumed: (value) => `${value} (по умолчанию)`,
+    outOfJaws: (mm) => `Вылет заготовки из кулачков: ${mm} мм`,
+  },
 });
