@@ -3,12 +3,14 @@ import { expect, test, type Page } from './engines';
 import {
   choose,
   chooseExample,
+  editor,
   examples,
   motionCount,
   open,
   openFile,
   program,
   status,
+  type,
   value,
   titleText,
 } from './page';
@@ -105,6 +107,40 @@ test('examples show no warnings except the ones they demonstrate', async ({ page
     await expect(status(page)).toContainText(`${motionCount(id)} motions`);
     await expect(status(page)).toContainText('no problems');
   }
+});
+
+test('the description goes when the text is no longer the example, and comes back by undo', async ({ page }) => {
+  await open(page, '#s000-o0002');
+  const described = page.getByText(/^G90 takes the Ø125 blank to Ø120/);
+  await expect(described).toBeVisible();
+  const text = await value(page);
+  // A small edit keeps it.
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.insertText('(MINE)');
+  await expect.poll(() => value(page)).toBe(`(MINE)${text}`);
+  await expect(described).toBeVisible();
+  // The first lines alone: half of this text is from the example, but most of the example is gone.
+  const rest = text.split('\n').slice(0, 3).join('\n');
+  await type(page, `${rest}\nG00 X10\n`);
+  await expect.poll(() => value(page)).toContain('G00 X10');
+  await expect(described).toBeHidden();
+  await expect(page.getByRole('button', { name: 'About this program' })).toBeHidden();
+  await editor(page).focus();
+  await expect(async () => {
+    await page.keyboard.press('Control+Z');
+    await expect(described).toBeVisible({ timeout: 500 });
+  }).toPass({ timeout: 10_000 });
+});
+
+test('a word of a program does not break after its minus sign', async ({ page }) => {
+  await open(page, '#s000-o0002');
+  const unbroken = page.locator('#intro .unbroken');
+  await expect(unbroken).toHaveText(['Z-30', 'R-7.5', 'R-30']);
+  for (const word of await unbroken.all())
+    expect(await word.evaluate((element) => getComputedStyle(element).whiteSpace)).toBe('nowrap');
+  // The text that is copied is unchanged.
+  await expect(page.locator('#intro p').first()).toContainText('four cycles from X120 Z-30 with R-7.5 to R-30');
 });
 
 test('the description of an example is hidden and shown by its button, which is remembered', async ({ page }) => {

@@ -107,14 +107,21 @@ export function makeSvg(tag: string, attributes: Readonly<Record<string, string 
 
 /** A message of the interpreter; backticks enclose program text. */
 export function renderProse(text: string): (Node | string)[] {
-  return text.split('`').map((part, i) => (i % 2 === 1 ? make('code', { lang: 'en' }, part) : part));
+  return text
+    .split('`')
+    .flatMap((part, i) => (i % 2 === 1 ? make('code', { lang: 'en' }, ...renderUnbroken(part)) : renderUnbroken(part)));
 }
 
 /** A sentence in which `Z-30` never wraps after its minus sign. */
 export function renderUnbroken(text: string): (Node | string)[] {
-  return text
-    .split(/([!-~]*-\d[!-~]*)/)
-    .map((part, i) => (i % 2 === 1 ? make('span', { className: 'unbroken' }, part) : part));
+  const parts: (Node | string)[] = [];
+  for (const run of text.split(/([!-~]+)/)) {
+    const last = parts.at(-1);
+    if (/-\d/.test(run)) parts.push(make('span', { className: 'unbroken' }, run));
+    else if (typeof last === 'string') parts[parts.length - 1] = last + run;
+    else parts.push(run);
+  }
+  return parts;
 }
 
 /** Gives a button its name for screen readers and its tooltip. */

@@ -26,6 +26,12 @@ export function isAnotherProgram(before: string, after: string, removed: readonl
   return 2 * remaining < all && (2 * remaining < weight(now) || weight(now) === 0);
 }
 
+/** Whether at least half of the lines of a text, by their characters, are in the other one. */
+export function isMostlyIn(text: string, other: string): boolean {
+  const all = text.slice(0, MAX_COMPARED_LENGTH);
+  return 2 * commonWeight(all, other.slice(0, MAX_COMPARED_LENGTH)) >= weight(all);
+}
+
 /** The number of characters in lines that both texts contain. */
 function commonWeight(before: string, after: string): number {
   const lines = new Map<string, number>();

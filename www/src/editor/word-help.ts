@@ -3,7 +3,7 @@
 // In: an answer of the interpreter. Out: a line, or the line with the facts; a fact that refers to another block is a
 // button that leads there. Must not know: the meaning of a word.
 
-import { make } from '../dom/dom';
+import { make, renderUnbroken } from '../dom/dom';
 import type { HelpLine, WordHelp } from '../protocol/protocol';
 
 /** The word, its value and its meaning. */
@@ -13,8 +13,8 @@ export function wordLine({ word, title, value }: WordHelp): HTMLElement {
     { className: 'word-line' },
     make('code', { lang: 'en' }, word),
     ' ',
-    ...(value === undefined ? [] : [make('span', { className: 'word-value' }, value), ' ']),
-    make('span', { className: 'word-title' }, title),
+    ...(value === undefined ? [] : [make('span', { className: 'word-value' }, ...renderUnbroken(value)), ' ']),
+    make('span', { className: 'word-title' }, ...renderUnbroken(title)),
   );
   return line;
 }
@@ -24,7 +24,9 @@ export function factList(facts: readonly HelpLine[], go: (offset: number) => voi
   return make(
     'ul',
     { className: 'word-facts' },
-    ...facts.map(({ text, at }) => make('li', {}, at === undefined ? text : linkButton(text, at, go))),
+    ...facts.map(({ text, at }) =>
+      make('li', {}, ...(at === undefined ? renderUnbroken(text) : [linkButton(text, at, go)])),
+    ),
   );
 }
 
@@ -39,7 +41,7 @@ export function wordCard(help: WordHelp, go: (offset: number) => void): HTMLElem
 }
 
 function linkButton(text: string, offset: number, go: (offset: number) => void): HTMLElement {
-  const button = make('button', { type: 'button', className: 'link' }, text);
+  const button = make('button', { type: 'button', className: 'link' }, ...renderUnbroken(text));
   button.addEventListener('click', () => go(offset));
   return button;
 }

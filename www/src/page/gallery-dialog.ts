@@ -4,7 +4,7 @@
 // Must not know: how an example is loaded or shown.
 
 import { Dialog } from '../dom/dialog';
-import { make } from '../dom/dom';
+import { make, renderUnbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
@@ -99,8 +99,8 @@ export class GalleryDialog {
     const card = make('button', { type: 'button', className: 'card' });
     card.append(
       smallDrawing(picture),
-      make('span', { className: 'title' }, title),
-      make('span', { className: 'shows' }, shows),
+      make('span', { className: 'title' }, ...renderUnbroken(title)),
+      make('span', { className: 'shows' }, ...renderUnbroken(shows)),
     );
     if (id === this.#current) card.setAttribute('aria-current', 'true');
     card.addEventListener('click', () => {

@@ -4,9 +4,10 @@
 // In: which of these to show. Out: the lines, and clicks on their buttons. Must not know: how a program is loaded or
 // saved.
 
-import { icon, make, setAccessibleName } from '../dom/dom';
+import { icon, make, renderUnbroken, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { whenOnline } from '../dom/network';
+import { isMostlyIn } from '../editor/program-replacement';
 import type { GcodePlayground } from '../shell/element';
 import { find } from './find';
 import type { Example } from './gallery';
@@ -82,19 +83,22 @@ export class Intro {
     const { playground, language, example } = this.#host;
     const isFile = playground.file !== undefined;
     const isTooLong = playground.length > MAX_SAVED_LENGTH;
+    // Of a text that is no longer the example, the description would be wrong.
+    const isDescribed = example !== undefined && !isFile && isMostlyIn(example.program, playground.value);
+    const described = isDescribed ? example : undefined;
     // This runs after each key press; skip the re-render if nothing changed, because it would lay out the whole page.
-    const shown = [content, language, example, isFile, isTooLong, this.#isOpen];
+    const shown = [content, language, example, described, isTooLong, this.#isOpen];
     if (shown.every((one, i) => one === this.#shown[i])) return;
     this.#shown = shown;
     const texts = PAGE_WORDS[language];
     const lines: HTMLElement[] = [];
-    const described = isFile ? undefined : example;
     setAccessibleName(this.#toggle, texts.description);
     this.#toggle.setAttribute('aria-expanded', String(this.#isOpen));
     this.#toggle.hidden = described === undefined;
     if (described !== undefined && this.#isOpen) {
-      lines.push(make('p', {}, described.shows[language]));
-      if (described.added !== undefined) lines.push(make('p', { className: 'added' }, texts.added(described.added)));
+      lines.push(make('p', {}, ...renderUnbroken(described.shows[language])));
+      if (described.added !== undefined)
+        lines.push(make('p', { className: 'added' }, ...renderUnbroken(texts.added(described.added))));
     }
     if (isTooLong) lines.push(make('p', { className: 'kept' }, texts.tooLongToSave));
     lines.push(...this.#offerLines(content));

@@ -3,7 +3,7 @@
 // In: answers of the interpreter about the block at the cursor, once the user has focused the text. Out: the block that
 // the user selects. Must not know: the meaning of a word or a row.
 
-import { setChildren, icon, make, setAccessibleName, setText } from '../dom/dom';
+import { setChildren, icon, make, renderUnbroken, setAccessibleName, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import { isCompletionEnabled, setCompletionEnabled } from '../editor/completion-setting';
@@ -312,7 +312,7 @@ class AtCursor implements Panel {
       const reason = word?.facts[0]?.text;
       this.#line.replaceChildren(
         word === undefined ? texts.nothing : wordLine(word),
-        ...(reason === undefined ? [] : [' ', make('span', { className: 'word-reason' }, reason)]),
+        ...(reason === undefined ? [] : [' ', make('span', { className: 'word-reason' }, ...renderUnbroken(reason))]),
       );
     }
     if (hasChanged(this.#facts, word))
@@ -396,7 +396,7 @@ class AtCursor implements Panel {
     const parts = [
       ...[state.purpose, state.explanation]
         .filter((text): text is string => text !== undefined && text !== '')
-        .map((text) => make('p', {}, text)),
+        .map((text) => make('p', {}, ...renderUnbroken(text))),
       this.#renderTable(texts.state(state.line), [...state.axes, ...state.rows], state.speeds),
       ...(state.variables.length === 0 ? [] : [this.#renderTable(texts.variables, state.variables)]),
       ...(state.hidden === 0 ? [] : [make('p', {}, texts.hidden(state.hidden))]),
