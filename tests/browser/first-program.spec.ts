@@ -21,7 +21,7 @@ import {
 test('types O0002, reads its strokes, breaks a line, selects a block from the picture', async ({ page }) => {
   await open(page);
   // The blank and the start point come from the gallery; the text is typed.
-  await chooseExample(page, 'Steps and a cone from one ⌀125 blank');
+  await chooseExample(page, 'Steps and a cone from one Ø125 blank');
   await expect(chip(page)).toContainText('GSK 980TD');
   await type(page, program('s000-o0002'));
   await expect(status(page)).toContainText(/^42 motions/);

@@ -1,7 +1,7 @@
 // The first visit: the simplest program with its blank, and a picture that names chuck, tool and start point.
 //
 // The program of the lesson runs from X100 Z100 to X32 Z2, round a rectangle (X26, Z-30, X32, Z2), and by X100 back to
-// the start. Its bar is ⌀30 from Z-60 to Z0; the jaws clamp 20 mm of it and are 40 mm long across the axis.
+// the start. Its bar is Ø30 from Z-60 to Z0; the jaws clamp 20 mm of it and are 40 mm long across the axis.
 import { chromiumTest, expect, test, type BasicPage, type ChromiumPage } from './engines';
 import {
   chip,
@@ -94,7 +94,7 @@ test('the first program is the simplest one, with its blank, and is the first of
   await expect(status(page)).toContainText(/^7 motions · \d+ lines · no problems/);
   await expect(chip(page)).toContainText('FANUC');
   await expect(page.getByText('Change X26 to X24 and look at the part.')).toBeVisible();
-  await expect(page.getByRole('button', { name: /⌀30×60/ })).toBeVisible();
+  await expect(page.getByRole('button', { name: /Ø30×60/ })).toBeVisible();
   await expect(page.getByText('tool starts at X100 Z100')).toBeVisible();
 });
 
@@ -179,7 +179,7 @@ test('a name that would cover a stroke is moved or left out', async ({ page }) =
 
 test("a beginner's slips in the first program are reported, and the blank stays", async ({ page }) => {
   await openFirstVisit(page);
-  const blank = page.getByRole('button', { name: /⌀30×60/ });
+  const blank = page.getByRole('button', { name: /Ø30×60/ });
   await test.step('G00 for G01: the rapid runs into the bar', async () => {
     await goTo(page, 6, 'G0'.length);
     await page.keyboard.press('Delete');

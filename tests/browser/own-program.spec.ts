@@ -46,7 +46,7 @@ async function expectExample(page: Page, before: Record<string, string | null>):
   await expect.poll(() => value(page)).toBe(program(EXAMPLE));
   await expect.poll(() => context(page)).toEqual(before);
   await expect(chip(page)).toContainText('GSK 980TD');
-  await expect(titleText(page)).toHaveText('Steps and a cone from one ⌀125 blank');
+  await expect(titleText(page)).toHaveText('Steps and a cone from one Ø125 blank');
   await expect(about(page)).toBeVisible();
   await expect.poll(() => address(page)).toMatch(/#s000-o0002$/);
 }

@@ -88,7 +88,7 @@ test('a changed example, a file and a pasted text are in the list, and an unchan
     await expect(list(page)).toBeHidden();
     expect(await value(page)).toBe(`${program(EXAMPLE)}(mine)`);
     await expect(chip(page)).toContainText('GSK 980TD');
-    await expect(titleText(page)).toHaveText('Steps and a cone from one ⌀125 blank');
+    await expect(titleText(page)).toHaveText('Steps and a cone from one Ø125 blank');
   });
   await test.step('another edit changes the same program', async () => {
     await typeAtEnd(page, '(again)');

@@ -34,7 +34,7 @@ test('steps go forward and back by motion, block and pass, by keyboard', async (
   const at = async (key: string, line: string, x: string, z: string): Promise<void> => {
     await page.keyboard.press(key);
     await expect(running(page)).toHaveText(line);
-    await expect(shown(page, 'X ⌀')).toHaveText(x);
+    await expect(shown(page, 'X Ø')).toHaveText(x);
     await expect(shown(page, 'Z')).toHaveText(z);
   };
   await at('F9', 'G00 X62 Z2', '62.000', '2.000');
@@ -187,7 +187,7 @@ for (const [key, line, atX] of [
     await expect(page.getByRole('button', { name: 'Next motion' })).toBeDisabled();
     await type(page, 'G98 G00 X50 Z2\nG01 X40 F20');
     await page.keyboard.press(key);
-    await expect(shown(page, 'X ⌀')).toHaveText(atX);
+    await expect(shown(page, 'X Ø')).toHaveText(atX);
     await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
     await expect(running(page)).toHaveText(line);
   });

@@ -56,7 +56,7 @@ test('what diameter is left at Z-20', async ({ page }) => {
   // Inside the part, far from any edge and stroke.
   const place = await locate(page, 25, -20);
   await page.mouse.move(place.x, place.y);
-  await expect(tooltip(page)).toContainText(/⌀60 at Z−(19|20)/);
+  await expect(tooltip(page)).toContainText(/Ø60 at Z−(19|20)/);
 });
 
 test('why R-7.5 and not R7.5, and which angle has the taper', async ({ page }) => {

@@ -206,7 +206,7 @@ test('wear is entered with the offset of a tool, and moves the part', async ({ p
   // X40 leaves 40.04 mm.
   const inside = await locate(page, 20, -10);
   await page.mouse.move(inside.x, inside.y);
-  await expect(tooltip(page)).toContainText('⌀40.04');
+  await expect(tooltip(page)).toContainText('Ø40.04');
 });
 
 test('a tool can be added', async ({ page }) => {

@@ -36,7 +36,7 @@ test('an inch program is shown in inches, until the user selects mm', async ({ p
   await expect(button(page)).toHaveText(INCH);
   await editor(page).focus();
   for (let step = 0; step < 3; step++) await page.keyboard.press('F9');
-  await expect(cell(page, 'X ⌀, in')).toHaveText('1.5000');
+  await expect(cell(page, 'X Ø, in')).toHaveText('1.5000');
   await expect(cell(page, 'Z, in')).toHaveText('−1.0000');
   await expect(cell(page, 'Feed')).toHaveText('0.01 in/rev · 8 in/min');
   await expect(cell(page, 'Cutting speed')).toHaveText('314 ft/min');
@@ -44,7 +44,7 @@ test('an inch program is shown in inches, until the user selects mm', async ({ p
 
   await button(page).click();
   await expect(button(page)).toHaveText(MM);
-  await expect(cell(page, 'X ⌀')).toHaveText('38.100');
+  await expect(cell(page, 'X Ø')).toHaveText('38.100');
   await expect(cell(page, 'Z')).toHaveText('−25.400');
   await expect(cell(page, 'Feed')).toHaveText('0.254 mm/rev · 203 mm/min');
   await expect(page.locator('.doing')).toHaveText('line 9: feed to X38.1 Z-25.4');
@@ -73,7 +73,7 @@ test('dimensions, messages and totals use the displayed unit', async ({ page }) 
   await load(page, TURNED);
   const edge = await locate(page, -38.1, -12.7);
   await page.mouse.move(edge.x, edge.y);
-  await expect(tooltip(page)).toContainText('⌀1.5, length 0.97');
+  await expect(tooltip(page)).toContainText('Ø1.5, length 0.97');
   await choose(page, 'more', /^Time and totals: /);
   const totals = page.getByRole('dialog', { name: 'Time and totals' });
   await expect(totals).toContainText('Cut, in');

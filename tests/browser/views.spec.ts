@@ -70,7 +70,7 @@ test('an edge of the part shows its dimensions', async ({ page }) => {
   // The nose radius of 0.2 mm leaves 2 · 0.2 · (1 + tan α − 1 / cos α) = 0.061 on the cone, tan α = 5.5 / 33.
   const place = await locate(page, -(31 - (11 * 13) / 33 - 0.061), -10);
   await page.mouse.move(place.x, place.y);
-  await expect(tooltip(page)).toContainText('to ⌀29.94');
+  await expect(tooltip(page)).toContainText('to Ø29.94');
   await expect(tooltip(page)).toContainText('9.462° to the axis, 1:3');
 });
 
@@ -90,10 +90,10 @@ test('a kept part is compared with the next one, and the difference is measured'
 test.describe('X and Z at the pointer', () => {
   const place = (page: Page) => page.locator('[part~=pointer]');
 
-  /** X, Z and the number of their decimals, as shown: "X ⌀30.2Z−20.1". */
+  /** X, Z and the number of their decimals, as shown: "X Ø30.2Z−20.1". */
   const shown = async (page: Page): Promise<{ x: number; z: number; decimals: number }> => {
     const text = ((await place(page).textContent()) ?? '').replaceAll('−', '-');
-    const [, x = '', z = ''] = /^X ⌀(-?[\d.]+)Z(-?[\d.]+)/.exec(text) ?? [];
+    const [, x = '', z = ''] = /^X Ø(-?[\d.]+)Z(-?[\d.]+)/.exec(text) ?? [];
     return { x: Number(x), z: Number(z), decimals: z.split('.')[1]?.length ?? 0 };
   };
 

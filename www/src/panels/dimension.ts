@@ -33,33 +33,33 @@ export function dimensionText(language: Language, edge: Dimension, unit: LengthU
 
 const WORDS = words({
   en: {
-    cylinder: (diameter: string, length: string) => `⌀${diameter}, length ${length}`,
-    faceEdge: (z: string, from: string, to: string) => `Face at Z${z}, ⌀${from} to ⌀${to}`,
+    cylinder: (diameter: string, length: string) => `Ø${diameter}, length ${length}`,
+    faceEdge: (z: string, from: string, to: string) => `Face at Z${z}, Ø${from} to Ø${to}`,
     taper: (from: string, to: string, length: string, angle: string) =>
-      `Taper ⌀${from} to ⌀${to}, length ${length}, ${angle}° to the axis`,
+      `Taper Ø${from} to Ø${to}, length ${length}, ${angle}° to the axis`,
     ratio: (n: string) => `, 1:${n}`,
     arc: (radius: string) => `Radius ${radius}`,
     threadEdge: (lead: string, major: string, minor: string) =>
-      `Thread, lead ${lead}, ⌀${major} outside, ⌀${minor} inside`,
+      `Thread, lead ${lead}, Ø${major} outside, Ø${minor} inside`,
     across: (diameter: string, z: string, bore: string) =>
-      `⌀${diameter} at Z${z}${bore === '' ? '' : `, bore ⌀${bore}`}`,
+      `Ø${diameter} at Z${z}${bore === '' ? '' : `, bore Ø${bore}`}`,
   },
   zh: {
-    cylinder: (diameter, length) => `⌀${diameter}，长 ${length}`,
-    faceEdge: (z, from, to) => `端面 Z${z}，⌀${from} 至 ⌀${to}`,
-    taper: (from, to, length, angle) => `锥面 ⌀${from} 至 ⌀${to}，长 ${length}，与轴线夹角 ${angle}°`,
+    cylinder: (diameter, length) => `Ø${diameter}，长 ${length}`,
+    faceEdge: (z, from, to) => `端面 Z${z}，Ø${from} 至 Ø${to}`,
+    taper: (from, to, length, angle) => `锥面 Ø${from} 至 Ø${to}，长 ${length}，与轴线夹角 ${angle}°`,
     ratio: (n) => `，锥度 1:${n}`,
     arc: (radius) => `圆弧 R${radius}`,
-    threadEdge: (lead, major, minor) => `螺纹，导程 ${lead}，大径 ⌀${major}，小径 ⌀${minor}`,
-    across: (diameter, z, bore) => `Z${z} 处 ⌀${diameter}${bore === '' ? '' : `，孔 ⌀${bore}`}`,
+    threadEdge: (lead, major, minor) => `螺纹，导程 ${lead}，大径 Ø${major}，小径 Ø${minor}`,
+    across: (diameter, z, bore) => `Z${z} 处 Ø${diameter}${bore === '' ? '' : `，孔 Ø${bore}`}`,
   },
   ru: {
-    cylinder: (diameter, length) => `⌀${diameter}, длина ${length}`,
-    faceEdge: (z, from, to) => `Торец Z${z}, от ⌀${from} до ⌀${to}`,
-    taper: (from, to, length, angle) => `Конус от ⌀${from} до ⌀${to}, длина ${length}, ${angle}° к оси`,
+    cylinder: (diameter, length) => `Ø${diameter}, длина ${length}`,
+    faceEdge: (z, from, to) => `Торец Z${z}, от Ø${from} до Ø${to}`,
+    taper: (from, to, length, angle) => `Конус от Ø${from} до Ø${to}, длина ${length}, ${angle}° к оси`,
     ratio: (n) => `, 1:${n}`,
     arc: (radius) => `Радиус ${radius}`,
-    threadEdge: (lead, major, minor) => `Резьба, ход ${lead}, наружный ⌀${major}, внутренний ⌀${minor}`,
-    across: (diameter, z, bore) => `⌀${diameter} на Z${z}${bore === '' ? '' : `, отверстие ⌀${bore}`}`,
+    threadEdge: (lead, major, minor) => `Резьба, ход ${lead}, наружный Ø${major}, внутренний Ø${minor}`,
+    across: (diameter, z, bore) => `Ø${diameter} на Z${z}${bore === '' ? '' : `, отверстие Ø${bore}`}`,
   },
 });

@@ -15,7 +15,7 @@ export class PointerPlace {
   readonly element = make(
     'p',
     { className: 'pointer-place', part: 'pointer', 'aria-hidden': 'true', hidden: true },
-    'X ⌀',
+    'X Ø',
     this.#x,
     'Z',
     this.#z,

@@ -75,7 +75,7 @@ export class ReadoutBoard {
     this.element.setAttribute('aria-label', texts.readout);
     // Millimetres are the default and need no label.
     const unit = this.#unit === 'mm' ? '' : `, ${unitSymbol(this.#unit, language)}`;
-    this.#x.name = `X ⌀${unit}`;
+    this.#x.name = `X Ø${unit}`;
     this.#y.name = `Y${unit}`;
     this.#z.name = `Z${unit}`;
     this.#c.name = 'C';

@@ -107,7 +107,7 @@ class Setup implements Panel {
     this.#size.textContent =
       diameter === undefined || length === undefined
         ? ''
-        : `⌀${formatLength(diameter, this.#unit)}×${formatLength(length, this.#unit)}`;
+        : `Ø${formatLength(diameter, this.#unit)}×${formatLength(length, this.#unit)}`;
     this.#inferredTools.hidden = !(this.#overview?.tools.some(({ known }) => known === 'inferred') ?? false);
   }
 
