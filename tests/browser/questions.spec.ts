@@ -78,7 +78,7 @@ test('how long does it take', async ({ page }) => {
   const time = page.locator('[part=time]');
   // One number; the assumed rate is named.
   await expect(time).toHaveText(/^\d+:\d\d$/);
-  await expect(time).toHaveAttribute('title', /8 m\/min is assumed/);
+  await expect(time).toHaveAttribute('title', /8,000 mm\/min is assumed/);
 });
 
 test('where is the tool at the start', async ({ page }) => {
