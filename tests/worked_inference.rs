@@ -5,7 +5,7 @@ use gcode_playground::geometry::Point;
 use gcode_playground::setup::{Stock, ToolKind};
 use gcode_playground::units::Diameter;
 
-/// The outside is turned to ⌀40 and ⌀48, a hole is drilled to Z-30, then an unnamed tool turns ⌀13.2: it
+/// The outside is turned to Ø40 and Ø48, a hole is drilled to Z-30, then an unnamed tool turns Ø13.2: it
 /// bores.
 #[test]
 fn a_bore_after_drilling_leaves_the_outside() {
@@ -96,7 +96,7 @@ fn a_bar_puller_drills_nothing() {
     }
 }
 
-/// On the side of -X a pin of ⌀1.3 and ⌀2 is turned; facing across the axis to turns none.
+/// On the side of -X a pin of Ø1.3 and Ø2 is turned; facing across the axis to turns none.
 #[test]
 fn a_pin_is_turned_on_the_negative_side() {
     for side in ["-", ""] {
@@ -107,7 +107,7 @@ fn a_pin_is_turned_on_the_negative_side() {
     }
     run("O1\nG21G99\nT0101\nG97S1200M3\nG0X32.Z0\nG1X-1.6F.1\nG0Z2.\nX28.\nG1Z-20.\nX32.\nG0Z50.\nM30\n")
         .check(&[(-0.1, &[(0.0, 28.0)]), (-10.0, &[(0.0, 28.0)])]);
-    // From beyond the axis back across it: a tip, ⌀1 at Z-2.
+    // From beyond the axis back across it: a tip, Ø1 at Z-2.
     run("O1\nG21G99\nT0101\nG97S1200M3\nG0X32.Z-0.5\nG1X-2.F.1\nX1.Z-2.\nX30.Z-20.\nG0X32.\nZ50.\nM30\n")
         .check(&[(-1.2, &[]), (-2.0, &[(0.0, 1.0)])]);
 }
@@ -175,7 +175,7 @@ fn short_tool_words_beside_m06_are_stations() {
     assert!(ran.told.contains(&"short-tool-word"), "{:?}", ran.told);
 }
 
-/// Work on the second side, in the opposite direction: faced at Z0, turned to ⌀38 towards +Z.
+/// Work on the second side, in the opposite direction: faced at Z0, turned to Ø38 towards +Z.
 #[test]
 fn work_towards_positive_z_has_its_blank_there() {
     let ran = run(
@@ -264,7 +264,7 @@ fn an_inch_program_without_g20_is_read_in_inches() {
         run(&text).check(&[(-3.0, &[(0.0, 3.995)])]);
     }
 }
-/// G90 from X60 Z0 with U20 W30 R-5 bores a cone from ⌀70 at Z0 to ⌀80 at Z30: a tube with a bore of 60 at +Z
+/// G90 from X60 Z0 with U20 W30 R-5 bores a cone from Ø70 at Z0 to Ø80 at Z30: a tube with a bore of 60 at +Z
 /// (seed 000, case 3).
 #[test]
 fn a_cone_bored_towards_positive_z_is_in_a_tube() {
@@ -293,7 +293,7 @@ fn columns_of_pecks_leave_no_ridges() {
     run(&program("Q6000")).check(&[(-21.5, &[(0.0, 50.0)]), (-25.0, &[(0.0, 36.0)])]);
 }
 
-/// G73 with U18 machines a bar of ⌀36.5 to a ball of R6 whose nose is at Z1: its first pass touches the bar
+/// G73 with U18 machines a bar of Ø36.5 to a ball of R6 whose nose is at Z1: its first pass touches the bar
 /// where the contour is deepest, at X0 with 0.25 mm for finishing (seed 003).
 #[test]
 fn the_first_pass_of_g73_touches_the_blank() {
@@ -404,7 +404,7 @@ fn a_single_pass_is_seen() {
         .check(&[(-5.0, &[(0.0, 80.0)]), (-13.0, &[(0.0, 82.0)])]);
 }
 
-/// The first of several passes removes material as well: the tool came to ⌀35 from ⌀45, the blank is between
+/// The first of several passes removes material as well: the tool came to Ø35 from Ø45, the blank is between
 /// the two.
 #[test]
 fn the_first_of_several_passes_is_seen() {
@@ -414,7 +414,7 @@ fn the_first_of_several_passes_is_seen() {
     ran.check(&[(-20.0, &[(0.0, 31.0)]), (-45.0, &[(0.0, 35.0)]), (-51.0, &[(0.0, 37.0)])]);
 }
 
-/// A bore of ⌀30 to Z-50 in a tube, with the tool back at ⌀26: the hole of the tube is between the two, and
+/// A bore of Ø30 to Z-50 in a tube, with the tool back at Ø26: the hole of the tube is between the two, and
 /// the end of the cut is visible.
 #[test]
 fn the_end_of_a_bore_is_seen() {
@@ -424,7 +424,7 @@ fn the_end_of_a_bore_is_seen() {
     ran.check(&[(-20.0, &[(30.0, outside)]), (-51.0, &[(28.0, outside)])]);
 }
 
-/// A thread with an endlessly growing lead does not make a blank of a metre: the thread is in a bar of ⌀30,
+/// A thread with an endlessly growing lead does not make a blank of a metre: the thread is in a bar of Ø30,
 /// 30 long.
 #[test]
 fn a_lead_without_end_makes_no_large_blank() {
@@ -515,7 +515,7 @@ fn a_blank_has_a_diameter_in_whole_millimetres() {
     assert_eq!(ran.stock.diameter, Diameter::new(55.0));
 }
 
-/// A bar size in a comment is used if it matches the cuts: ⌀44 is turned to Z-30 from an approach at X56.
+/// A bar size in a comment is used if it matches the cuts: Ø44 is turned to Z-30 from an approach at X56.
 #[test]
 fn a_blank_in_words() {
     let program = |words: &str| {
@@ -566,7 +566,7 @@ fn a_drill_of_assumed_diameter_is_said() {
     }
 }
 
-/// A contour with a step inwards, ⌀20 from Z-30 to Z-32: no known insert can make it, and the step is cut as
+/// A contour with a step inwards, Ø20 from Z-30 to Z-32: no known insert can make it, and the step is cut as
 /// programmed.
 #[test]
 fn a_contour_with_a_step_inwards_is_turned() {
@@ -584,7 +584,7 @@ fn a_contour_with_a_step_inwards_is_turned() {
     ]);
 }
 
-/// G72 from outside leaves a nub of ⌀20 in front of a cone: an outside tool, not a grooving insert.
+/// G72 from outside leaves a nub of Ø20 in front of a cone: an outside tool, not a grooving insert.
 #[test]
 fn a_facing_cycle_from_outside_has_an_outside_tool() {
     let ran = run(

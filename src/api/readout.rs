@@ -85,7 +85,7 @@ pub struct Time {
     pub unknown_cuts: u32,
     /// Number of rapids with an unknown duration.
     pub unknown_rapids: u32,
-    /// Seconds of those rapids at the assumed rate, 8 m/min.
+    /// Seconds of those rapids at the assumed rate, 8000 mm/min.
     pub assumed_seconds: f64,
 }
 

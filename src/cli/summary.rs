@@ -30,7 +30,7 @@ pub(super) fn write(out: &mut dyn Write, analysis: &Analysis, format: Format) ->
                 )?;
             }
             if all.unknown_rapids > 0 {
-                writeln!(out, "Rapids at 8 m/min, assumed: set machine.rapidX and machine.rapidZ.")?;
+                writeln!(out, "Rapids at 8000 mm/min, assumed: set machine.rapidX and machine.rapidZ.")?;
             }
             Ok(())
         }

@@ -12,7 +12,7 @@ use std::fmt::Write;
 use crate::control::codes::{self, Function};
 use crate::machine::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use crate::motion::{Feed, Motion, Motions, SpindleSpeed, Step};
-use crate::playback::timing::Total;
+use crate::playback::timing::{ASSUMED_RAPID, Total};
 use crate::playback::totals::{ToolTotals, totals};
 use crate::sentences::{Language, describe_motion, labels};
 use crate::setup::dialect::{CodeList, FeedMode};
@@ -128,7 +128,16 @@ impl Card<'_> {
         let w = words(language);
         let mut metadata = vec![(w.control, self.codes.name().to_owned())];
         if let Some((stock, basis)) = resolved.stock() {
-            metadata.push((w.blank, blank(&stock, basis, Measures { unit: self.unit, language })));
+            let measures = Measures { unit: self.unit, language };
+            metadata.push((w.blank, blank(&stock, basis, measures)));
+            if let Some(grip) = stock.grip {
+                metadata.push((w.clamped, measures.length(grip)));
+            }
+        }
+        if !self.motions.is_empty() {
+            let start = self.motions.get_on_workpiece(0).from;
+            let [x, z] = [2.0 * start.x, start.z].map(|mm| number(mm / self.unit.millimetres()));
+            metadata.push((w.start, format!("X{x} Z{z}")));
         }
         let (_, all) = totals(self.motions, &self.setup.machine);
         metadata.push((w.time, clock(&all.time)));
@@ -171,7 +180,9 @@ impl Card<'_> {
             page.paragraph(&w.not_in_time.replace("{}", &time.unknown_cuts.to_string()));
         }
         if time.unknown_rapids > 0 {
-            page.paragraph(w.rapids_assumed);
+            let in_unit = (ASSUMED_RAPID / self.unit.millimetres()).round() * self.unit.millimetres();
+            let rate = measures.feed(in_unit, FeedMode::PerMinute);
+            page.paragraph(&w.rapids_assumed.replace("{}", &rate));
         }
     }
 
@@ -501,9 +512,9 @@ impl Measures {
 fn blank(stock: &Stock, basis: Basis, measures: Measures) -> String {
     let w = words(measures.language);
     let diameter = measures.bare(stock.diameter.mm());
-    let mut text = ["⌀", &diameter, ", ", w.length, " ", &measures.length(stock.length)].concat();
+    let mut text = ["Ø", &diameter, ", ", w.length, " ", &measures.length(stock.length)].concat();
     if stock.bore.mm() > 0.0 {
-        let _ = write!(text, ", {} ⌀{}", w.bore, measures.bare(stock.bore.mm()));
+        let _ = write!(text, ", {} Ø{}", w.bore, measures.bare(stock.bore.mm()));
     }
     if stock.face != 0.0 {
         let _ = write!(text, ", {}{}", w.face, measures.bare(stock.face));
@@ -523,7 +534,7 @@ fn about(resolved_tool: &ResolvedTool, measures: Measures) -> [String; 3] {
         tool.insert.clone().filter(|_| resolved_tool.basis == Basis::Given),
         tool.width.map(|width| measures.length(width)),
         (tool.diameter.or(resolved_tool.assumed_diameter()))
-            .map(|diameter| format!("⌀{}", measures.bare(diameter.mm()))),
+            .map(|diameter| format!("Ø{}", measures.bare(diameter.mm()))),
     ];
     for more in more.into_iter().flatten() {
         kind = [kind, more].join(" ").trim().to_owned();
@@ -643,16 +654,27 @@ mod tests {
             T0101\nG96 S500 M3\nG0 X2.1 Z.1\nG1 X1.5 F.01\nZ-1.\nG98 G1 X2. F5.\nG0 X4. Z4.\nM30\n";
         let page = html(program, Language::English);
         for wanted in [
-            "<dd>⌀2, length 4 in</dd>",
+            "<dd>Ø2, length 4 in</dd>",
             "<td>0.0315 in</td>",
             "500 ft/min, 0.01 in/rev; 500 ft/min, 5 in/min",
             "feed to X1.5 Z-1",
+            "315 in/min is assumed",
         ] {
             assert!(page.contains(wanted), "{wanted} in\n{page}");
         }
         assert!(!page.contains(" mm"), "{page}");
-        assert!(html(program, Language::Russian).contains("⌀2, длина 4 дюйма"));
+        assert!(html(program, Language::Russian).contains("Ø2, длина 4 дюйма"));
         assert!(html(PROGRAM, Language::Russian).contains("<td>0.8 мм</td>"));
+    }
+
+    /// The operator clamps the blank and moves the tool to the start.
+    #[test]
+    fn the_sheet_names_the_clamping_length_and_the_start() {
+        let program = "O1\n(STOCK D=60 LENGTH=80 GRIP=25.4)\nG50 X150 Z100\nT0101\nM3 S500\nG0 X50 Z2\n\
+            G1 Z-20 F0.2\nG0 X150 Z100\nM30\n";
+        let page = html(program, Language::English);
+        assert!(page.contains("<dt>Clamping length</dt><dd>25.4 mm</dd>"), "{page}");
+        assert!(page.contains("<dt>Start of the tool</dt><dd>X150 Z100</dd>"), "{page}");
     }
 
     /// The table's description of a block.

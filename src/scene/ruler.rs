@@ -58,7 +58,7 @@ impl Axis {
     pub fn name(self, unit: &str) -> String {
         let letter = match self {
             Self::Z => "Z",
-            Self::X | Self::FaceX => "X ⌀",
+            Self::X | Self::FaceX => "X Ø",
             Self::FaceC => "C",
             Self::Y => "Y",
             Self::Around { .. } => return "C °".to_owned(),

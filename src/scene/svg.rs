@@ -555,9 +555,9 @@ mod tests {
             let names = file.lines().filter(|line| line.contains(r#"class="name"#));
             names.filter_map(|line| Some(line.split_once('>')?.1.split_once('<')?.0.to_owned())).collect()
         };
-        assert_eq!(names(&svg(&scene, &options)), ["X ⌀ мм", "Z мм"]);
-        assert_eq!(names(&svg(&scene.on(Plane::Face), &options)), ["C мм", "X ⌀ мм"]);
-        assert_eq!(names(&svg(&scene, &SvgOptions::default())), ["X ⌀ mm", "Z mm"]);
+        assert_eq!(names(&svg(&scene, &options)), ["X Ø мм", "Z мм"]);
+        assert_eq!(names(&svg(&scene.on(Plane::Face), &options)), ["C мм", "X Ø мм"]);
+        assert_eq!(names(&svg(&scene, &SvgOptions::default())), ["X Ø mm", "Z mm"]);
     }
 
     #[test]
