@@ -259,7 +259,7 @@ test('problems of one rule with one code share one line with their line numbers'
   await openProblems(page);
   await expect(count(page)).toHaveText(/6[67]|68/);
   const group = rows(page).filter({ hasText: 'M300' });
-  await expect(group).toContainText('66 times');
+  await expect(group).toContainText('66 places');
   expect(await rows(page).count()).toBeLessThan(5);
 
   await test.step('problems are sorted by severity or by line', async () => {

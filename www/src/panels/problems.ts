@@ -344,7 +344,7 @@ class Problems implements Panel {
       const place = make(
         'button',
         { type: 'button', className: 'place', title: problem.message.replaceAll('`', '') },
-        COMMON[language].line(problem.line),
+        COMMON[language].line(problem.line) + placeIfDiffers(problem, group[0]),
       );
       place.addEventListener('click', () => {
         const chosen = row.group[at + 1];
@@ -372,6 +372,13 @@ class Problems implements Panel {
   }
 }
 
+/** The position in a message, `X20 Z-40`, if the first message of the group has another one. */
+function placeIfDiffers({ message }: Diagnostic, { message: first }: Diagnostic): string {
+  const position = (text: string): string => (text.match(/\b[XZ]-?\d+(?:\.\d+)?/g) ?? []).join(' ');
+  const own = position(message);
+  return own === position(first) ? '' : ` (${own})`;
+}
+
 function keyOf([{ severity, code, slug }]: Group): string {
   return `${severity} ${code} ${slug}`;
 }
@@ -394,7 +401,7 @@ const WORDS = words({
     hideRule: (slug: string) => `Hide this rule here: ${slug}`,
     rulesOff: (n: number) => (n === 1 ? '1 rule is hidden here:' : `${n} rules are hidden here:`),
     showRule: (slug: string) => `Show ${slug}`,
-    times: (n: number) => `${n} times`,
+    times: (n: number) => `${n} places`,
     /** Before other places of the same problem. */
     also: 'also',
     morePlaces: (n: number) => `${n} more`,
