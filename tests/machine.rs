@@ -154,6 +154,39 @@ fn an_assumed_tool_is_in_the_jaws_where_its_tip_passes_them() {
     assert!(simulation(drilled, setup).findings().is_empty());
 }
 
+/// Checks the place of the first collision: diameter and Z, to two thousandths of a millimetre of radius.
+fn check_place(setup: &str, program: &str, expected: (f64, f64)) {
+    let findings = simulation(&format!("G97 S800 M03\n{program}"), setup).findings().to_vec();
+    let at = findings.first().expect("a collision").at;
+    let (x, z) = (2.0 * at.x, at.z);
+    assert!((x - expected.0).abs() <= 0.004 && (z - expected.1).abs() <= 0.002, "{program}: X{x} Z{z}");
+}
+
+#[test]
+fn a_collision_is_where_the_tool_first_touches() {
+    let bar = r#""stock": {"diameter": 50, "length": 80, "grip": 30}"#;
+    let assumed = format!("{{{bar}}}");
+    // The jaws begin at Z-50. The nose of the assumed tool touches them beside the programmed point.
+    check_place(&assumed, "T0101\nG00 X54 Z2\nG90 X46 Z-55 F0.25", (46.0, -50.0));
+    check_place(&assumed, "T0101\nG00 X54 Z2\nG01 X20 F0.2\nZ-60", (20.0, -50.0));
+    // At 45° from X60 Z2 the tip is at X50 where Z is -3.
+    for nose in ["0", "0.4", "0.8"] {
+        let tool = format!(r#""tools": {{"T0101": {{"type": "turning", "noseRadius": {nose}}}}}"#);
+        let setup = format!("{{{bar}, {tool}}}");
+        check_place(&setup, "T0101\nG00 X60 Z2\nG00 X40 Z-8", (50.0, -3.0));
+        check_place(&setup, "T0101\nG00 X40 Z2\nG00 Z-8", (40.0, 0.0));
+        check_place(&setup, "T0101\nG00 X60 Z-20\nG00 X40", (50.0, -20.0));
+        // Along the turned surface of X40 into the shoulder at Z-30.
+        let shoulder = "T0101\nG00 X54 Z2\nG01 X40 F0.2\nZ-30\nX54\nG00 Z2\nX40\nZ-40";
+        check_place(&setup, shoulder, (40.0, -30.0));
+        // The edge above the tip reaches the corner of the jaws, and the cut to X46 is below it.
+        check_place(&setup, "T0101\nG00 X54 Z2\nG01 X46 F0.2\nZ-55", (50.0, -50.0));
+    }
+    // The holder of a blade with a reach of 8 mm meets the outside of the blank at the side of the insert.
+    let blade = r#""tools": {"T0303": {"type": "grooving", "width": 3, "reach": 8}}"#;
+    check_place(&format!("{{{bar}, {blade}}}"), "T0303\nG00 X54 Z-20\nG01 X30 F0.1", (50.0, -17.0));
+}
+
 #[test]
 fn holders_slopes_and_the_axis() {
     // A grooving insert with a reach of 8 mm.

@@ -12,7 +12,7 @@ use super::region::Region;
 use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use super::sweep::{Outline, path_of};
 use super::tip_place::{Route, TipPlace};
-use super::tool::Action;
+use super::tool::{Action, Solid};
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions, Quill, Step};
 use crate::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
@@ -43,6 +43,20 @@ const ALONG: f64 = 0.001;
 /// the material lies along at least `MIN_REMAINING` mm of its path.
 const SKIN: f64 = 0.05;
 const MIN_REMAINING: f64 = 0.5;
+
+/// A contact is located to this along the path, mm, and its area is computed this far behind it.
+const CONTACT: f64 = 1e-5;
+const FLAT: f64 = 0.001;
+
+/// Most halvings of a path: enough for 100 m.
+const HALVINGS: u32 = 34;
+
+/// The core of a tool enters at most this far behind the tool itself, mm, unless the tool slides along a
+/// surface: that of a given tool, and that of an assumed one.
+const BEFORE: [f64; 2] = [0.1, 2.0];
+
+/// A contact at most this far from the nose is made by the tip, mm.
+const AT_TIP: f64 = 0.1;
 
 /// Whether the setup contains anything to check motions against: a blank, a tailstock or travel limits.
 pub fn can_be_found(setup: &Setup) -> bool {
@@ -240,7 +254,7 @@ impl DangerDetector {
         let obstacles = [(Danger::IntoJaws, jaws.as_ref()), (Danger::IntoTailstock, tailstock)];
         let found = obstacles.map(|(danger, obstacle)| {
             let obstacle = obstacle?;
-            Some((danger, tool.shape.solids().find_map(|outline| hit(obstacle, outline, motion))?))
+            Some((danger, tool.shape.solids().find_map(|solid| hit(obstacle, solid, motion))?))
         });
         for (danger, at) in found.into_iter().flatten() {
             self.report(index, at, danger);
@@ -299,13 +313,13 @@ impl DangerDetector {
 
     fn rapid(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool, part: &mut Part) {
         let Some(stock) = self.stock else { return };
-        let outlines = || tool.shape.solids();
+        let solids = || tool.shape.solids();
         // Cheap check first: far from the blank there is nothing to compute.
         let far = |outline: &Outline, way: &[Point]| outline.along(way).all(|swept| !near(&stock, &swept));
         let straight = [motion.from, motion.to];
-        if !outlines().all(|outline| far(outline, &straight)) {
+        if !solids().all(|solid| far(solid.core, &straight)) {
             let now = part.now();
-            if let Some(at) = outlines().find_map(|outline| hit(now, outline, motion)) {
+            if let Some(at) = solids().find_map(|solid| hit(now, solid, motion)) {
                 let from = motion.from;
                 // If there is material all along the path to the wall beyond the tip, the tip is in a bore.
                 // Measured slightly in front of the tip, which may be at the bottom or touch the wall.
@@ -325,10 +339,10 @@ impl DangerDetector {
             return;
         }
         let Some(dogleg) = dogleg(motion) else { return };
-        if !outlines().all(|outline| far(outline, &dogleg)) {
+        if !solids().all(|solid| far(solid.core, &dogleg)) {
             let now = part.now();
             let legs = dogleg.windows(2).map(|ends| Motion { from: ends[0], to: ends[1], ..*motion });
-            let found = legs.flat_map(|leg| outlines().find_map(|outline| hit(now, outline, &leg))).next();
+            let found = legs.flat_map(|leg| solids().find_map(|solid| hit(now, solid, &leg))).next();
             if let Some(at) = found {
                 self.report(index, at, Danger::DoglegThroughStock);
             }
@@ -351,13 +365,13 @@ impl DangerDetector {
         for danger in self.misuse.next(&Cut { motion, before, tool, blank: self.stock }, part) {
             self.report(index, motion.to, danger);
         }
-        if let Some(body) = &tool.shape.body {
-            let body = body.shrunk(0.01);
+        if let Some(outline) = &tool.shape.body {
+            let body = Solid { outline, core: &outline.shrunk(0.01), nose: None };
             // The material that the edge takes off in the same motion is not in the way of the holder.
-            if hit(part.now(), &body, motion).is_some() {
+            if hit(part.now(), body, motion).is_some() {
                 let mut left = part.now().clone();
                 left.cut(&cut(motion, &Turned::default(), tool));
-                if let Some(at) = hit(&left, &body, motion) {
+                if let Some(at) = hit(&left, body, motion) {
                     self.report(index, at, Danger::HolderInStock);
                     return;
                 }
@@ -395,19 +409,62 @@ fn too_steep(motion: &Motion, tool: &ResolvedTool, part: &mut Part) -> Option<Da
     worth.then_some(Danger::SlopeTooSteep { slope: slope.to_degrees(), tool: follows.to_degrees() })
 }
 
-/// The point on the path of a motion at which an outline first overlaps a region.
-fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
-    if outline.points().len() < 3 {
+/// The first contact of a solid with a region that it enters.
+fn hit(region: &Region, solid: Solid, motion: &Motion) -> Option<Point> {
+    let Solid { outline, core, nose } = solid;
+    if core.points().len() < 3 {
         return None;
     }
-    let from = motion.from;
-    outline.along(&path_of(motion)).filter(|swept| region.overlaps(swept)).find_map(|swept| {
-        let common = region.intersection(&[swept]);
-        if common.area() < SCRAPED {
-            return None;
+    let way = path_of(motion);
+    let enters = |ends: &&[Point]| {
+        let swept = core.along_line(ends[0], ends[1]);
+        region.overlaps(&swept) && region.intersection(&[swept]).area() >= SCRAPED
+    };
+    let ends = way.windows(2).find(enters)?;
+    let (from, to) = (ends[0], ends[1]);
+    if region.contains(from) && region.overlaps(&core.at(from)) {
+        return Some(from);
+    }
+    let length = from.distance(to).max(CONTACT);
+    let of_core = first_overlap(region, core, from, to);
+    // The core enters later than the outline, which may touch the region all along the path.
+    let before = BEFORE.map(|way| between(from, to, (of_core - way / length).max(0.0)));
+    let free = before.into_iter().find(|&place| !region.overlaps(&outline.at(place)));
+    let (used, begin) = free.map_or((core, from), |place| (outline, place));
+    let length = begin.distance(to).max(CONTACT);
+    let share = first_overlap(region, used, begin, to);
+    let tip = between(begin, to, share);
+    // Far enough behind the contact for an area that is no rounding error.
+    let behind = between(begin, to, (share + FLAT / length).min(1.0));
+    let common = region.intersection(&[used.along_line(begin, behind)]);
+    let nearest = |a: &Point, b: &Point| a.distance(tip).total_cmp(&b.distance(tip));
+    let at = common.outlines().flatten().min_by(nearest).unwrap_or(tip);
+    // A nose touches a wall beside the programmed point, which is the place to report.
+    let blunt =
+        used.points().iter().map(|point| point.distance(Point::default())).fold(f64::INFINITY, f64::min);
+    let is_at_tip = nose.is_some_and(|nose| at.distance(tip) <= 2.0 * nose + blunt + AT_TIP);
+    if is_at_tip && free.is_some() {
+        return Some(tip);
+    }
+    region.nearest_on_edge(if is_at_tip { tip } else { at })
+}
+
+/// The share of a line after which an outline overlaps a region.
+fn first_overlap(region: &Region, outline: &Outline, from: Point, to: Point) -> f64 {
+    let (mut free, mut met) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        if (met - free) * from.distance(to) <= CONTACT {
+            break;
         }
-        common.outlines().flatten().min_by(|a, b| a.distance(from).total_cmp(&b.distance(from)))
-    })
+        let middle = (free + met) / 2.0;
+        let overlaps = region.overlaps(&outline.along_line(from, between(from, to, middle)));
+        *(if overlaps { &mut met } else { &mut free }) = middle;
+    }
+    met
+}
+
+fn between(from: Point, to: Point, share: f64) -> Point {
+    Point::new(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z))
 }
 
 /// Whether an outline comes near the bounding box of the blank.

@@ -166,6 +166,17 @@ impl Region {
         self.radii(point.z).iter().any(|&(low, high)| low < point.x && point.x < high)
     }
 
+    /// The point of its edges nearest to a point.
+    pub fn nearest_on_edge(&self, to: Point) -> Option<Point> {
+        let on_edge = |(a, b): (Point, Point)| {
+            let (dx, dz) = (b.x - a.x, b.z - a.z);
+            let along = (to.x - a.x) * dx + (to.z - a.z) * dz;
+            let share = (along / (dx * dx + dz * dz).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+            Point::new(a.x + share * dx, a.z + share * dz)
+        };
+        self.edges().map(on_edge).min_by(|a, b| a.distance(to).total_cmp(&b.distance(to)))
+    }
+
     /// Its edges, with the material on the left.
     pub fn edges(&self) -> impl Iterator<Item = (Point, Point)> + '_ {
         self.shapes.iter().flatten().flat_map(|contour| {

@@ -72,6 +72,17 @@ pub struct Shape {
     pub trailing: Option<f64>,
 }
 
+/// A part of a tool that can collide.
+#[derive(Clone, Copy, Debug)]
+pub struct Solid<'a> {
+    /// Its outline.
+    pub outline: &'a Outline,
+    /// The outline that counts: an overlap with it is more than contact.
+    pub core: &'a Outline,
+    /// Nose radius of the cutting part, mm; `None` for a holder.
+    pub nose: Option<f64>,
+}
+
 /// How much smaller the core is, mm: a smaller overlap counts as contact.
 const CORE: f64 = 0.01;
 
@@ -83,8 +94,10 @@ fn body_direction(tip: u8) -> Vector {
 
 impl Shape {
     /// The parts that can collide: the cutting part, and the holder if it is known.
-    pub fn solids(&self) -> impl Iterator<Item = &Outline> {
-        [Some(&self.core), self.body.as_ref()].into_iter().flatten()
+    pub fn solids(&self) -> impl Iterator<Item = Solid<'_>> {
+        let edge = Solid { outline: &self.edge, core: &self.core, nose: Some(self.nose) };
+        let body = self.body.as_ref().map(|body| Solid { outline: body, core: body, nose: None });
+        [Some(edge), body].into_iter().flatten()
     }
 
     /// The shape of a tool.
