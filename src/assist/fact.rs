@@ -65,6 +65,8 @@ pub enum Fact {
     ByCode(String, Option<u32>),
     /// The feed of the cut, and the block that set it.
     ByFeed(Quantity, Option<u32>),
+    /// F of the contour gives the feed of the cut; the first block of the contour with F.
+    ByFeedOfContour(u32),
     /// Start and end of an incremental coordinate.
     FromTo(Quantity, Quantity),
     /// The distance from the centre line that a diameter means.
@@ -121,6 +123,8 @@ pub enum Fact {
     Skipped(u8),
     /// A cycle reads the block as a part of its contour.
     ReadBy(ContourUse),
+    /// A roughing cycle and finishing read the block as a part of their contour.
+    ReadByBoth,
     /// Roughing reads the block as a part of its contour, and ignores the word.
     IgnoredByRoughing,
     /// Finishing uses the word.

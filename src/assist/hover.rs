@@ -28,7 +28,7 @@ use crate::setup::dialect::{DecimalRule, FeedMode, PqUnit};
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::highlight::sequence_span;
-use crate::text::parser::Parser;
+use crate::text::parser::{Parser, Resume};
 use crate::text::program_name;
 use crate::units::Diameter;
 
@@ -87,7 +87,11 @@ impl<'a> Query<'a> {
         }
         self.about_block(&mut hover, motions);
         match self.visit {
-            Some(visit) if visit.purpose.is_some() => hover.facts.extend(visit.purpose.map(Fact::ReadBy)),
+            Some(visit) if visit.purpose.is_some() => hover.facts.push(match self.read_by {
+                [true, true] => Fact::ReadByBoth,
+                [_, false] => Fact::ReadBy(ContourUse::Roughing),
+                [false, true] => Fact::ReadBy(ContourUse::Finishing),
+            }),
             Some(visit) if self.times > 1 => hover.facts.push(Fact::Time(visit.number, self.times)),
             _ => {}
         }
@@ -538,7 +542,14 @@ impl<'a> Query<'a> {
             && matches!(word.address, b'X' | b'Z' | b'U' | b'W' | b'P' | b'Q')
             && let Some(feed) = feed_of(after)
         {
-            facts.push(Fact::ByFeed(feed, origins.since(Modal::Feed)));
+            let of_contour = match form {
+                Form::Multiple(Multiple::Finishing, _) => self.first_feed_of_contour(),
+                _ => None,
+            };
+            facts.push(match of_contour {
+                Some(block) => Fact::ByFeedOfContour(block),
+                None => Fact::ByFeed(feed, origins.since(Modal::Feed)),
+            });
         }
     }
 
@@ -591,6 +602,19 @@ impl<'a> Query<'a> {
             block.span
         };
         Fact::Contour(span(first.byte), span(last.byte))
+    }
+
+    /// The first block with F in the contour that P and Q refer to, identified by its first byte.
+    fn first_feed_of_contour(&self) -> Option<u32> {
+        let Fact::Contour(first, last) = self.contour() else { return None };
+        let mut parser = Parser::resume(self.text, Resume::inside(first.start, 0));
+        let mut block = Block::default();
+        while parser.next_block(&mut block) && block.span.start <= last.start {
+            if block.words.iter().any(|word| word.address == b'F' && !word.comma) {
+                return Some(block.span.start);
+            }
+        }
+        None
     }
 
     /// The block that a call refers to.
@@ -715,7 +739,7 @@ pub fn feed_of(state: &State) -> Option<Quantity> {
 }
 
 /// Whether a code cuts a thread, with the slide synchronised to the spindle.
-fn cuts_thread(code: G) -> bool {
+pub(super) fn cuts_thread(code: G) -> bool {
     match code {
         G::Motion(mode) => match mode {
             MotionMode::Thread | MotionMode::VariableThread | MotionMode::Tapping => true,

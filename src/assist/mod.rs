@@ -38,6 +38,8 @@ pub struct Query<'a> {
     pub visit: Option<&'a Visit>,
     /// Number of executions.
     pub times: u32,
+    /// Whether roughing reads the block as a part of its contour, and whether finishing does.
+    pub read_by: [bool; 2],
     /// The setup of the run.
     pub setup: &'a Setup,
     /// The switches of the control.
@@ -54,6 +56,7 @@ impl<'a> Query<'a> {
             block,
             visit: found.visit.as_ref(),
             times: found.visits,
+            read_by: found.read_by,
             setup: run.setup(),
             dialect: run.dialect(),
             codes: run.code_list(),

@@ -159,6 +159,12 @@ impl OriginRecorder for OriginRecord {
             return;
         }
         self.origins.note(state, block.span.start);
+        // The F of roughing does not count for finishing, even if it has the same value.
+        if purpose == ContourUse::Finishing
+            && block.words.iter().any(|word| word.address == b'F' && !word.comma)
+        {
+            self.origins.since[Modal::Feed as usize] = block.span.start;
+        }
         if let Some(before) = self.before.take() {
             let after = (state.clone(), self.origins.clone());
             self.readings.push(Reading { purpose, before: *before, after });

@@ -58,6 +58,8 @@ pub struct Found {
     pub visits: u32,
     /// The requested visit.
     pub visit: Option<Visit>,
+    /// Whether roughing reads the block as a part of its contour, and whether finishing does.
+    pub read_by: [bool; 2],
 }
 
 impl Found {
@@ -93,6 +95,7 @@ pub struct Replay {
     visits: u32,
     carried_out: u32,
     visit: Option<Visit>,
+    read_by: [bool; 2],
     is_done: bool,
 }
 
@@ -136,6 +139,7 @@ impl Run {
             visits: 0,
             carried_out: 0,
             visit: None,
+            read_by: [false; 2],
             is_done,
         }
     }
@@ -226,7 +230,7 @@ impl Replay {
 
     /// The result, once the replay has ended.
     pub fn found(self) -> Found {
-        Found { place: self.place, visits: self.visits, visit: self.visit }
+        Found { place: self.place, visits: self.visits, visit: self.visit, read_by: self.read_by }
     }
 
     fn advance(&mut self, blocks: usize) {
@@ -299,6 +303,11 @@ impl Replay {
         values: Option<String>,
     ) {
         self.visits += 1;
+        match purpose {
+            Some(ContourUse::Roughing) => self.read_by[0] = true,
+            Some(ContourUse::Finishing) => self.read_by[1] = true,
+            None => {}
+        }
         let number = self.visits;
         let carried_out = if purpose.is_none() { self.carried_out } else { 0 };
         let is_intended = match (self.choice, &self.visit) {

@@ -43,7 +43,7 @@ told! {
     OneShot, GroupMotion, GroupSpeed, GroupDistance, GroupFeed, GroupUnit, GroupCompensation, GroupHole, GroupFrame, GroupPlane,
     GroupOther,
     // Earlier values
-    UnchangedSince, UnchangedFromStart, BeforeSince, BeforeFromStart, ByCodeSince, ByCodeFromStart, ByFeedSince,
+    UnchangedSince, UnchangedFromStart, BeforeSince, BeforeFromStart, ByCodeSince, ByCodeFromStart, ByFeedSince, ByFeedOfContour,
     ByFeedFromStart,
     // Meaning of a value
     FromTo, FromCentre, TaperFromTo, TaperOtherSign, WithoutPoint, FeedAtSpeed, SpeedAt, SpeedHeldSince, SpeedHeld, ThreadPackedOf, StationAndOffset, OffsetCancelled,
@@ -55,7 +55,7 @@ told! {
     // Execution of the block
     ThreadLocked, NoMotionWithoutAxis, NoMotionSamePlace, NoMotionByCode, NotCarriedOut, Skipped, IgnoredByRoughing, TakenByFinishing, TimeOf,
     // The state
-    Vacant, CallFrame, MacroFrame, LoopFrame, ReadByRoughing, ReadByFinishing,
+    Vacant, CallFrame, MacroFrame, LoopFrame, ReadByRoughing, ReadByFinishing, ReadByBoth,
     // Explanation of a block
     ExplainRapid, ExplainStraight, ExplainTaper, ExplainClockwise, ExplainCounterclockwise, ExplainThread, ExplainDwell, ExplainTurn, ExplainAlongY,
     ExplainMoves, ExplainPass, ExplainTaperPass, ExplainPasses, ExplainPassesZ, ExplainPassTo, ExplainPassesTo, ExplainPattern, ExplainContour,
@@ -154,6 +154,7 @@ impl Speaker<'_> {
             Fact::ByFeed(feed, since) => {
                 self.since(Told::ByFeedSince, Told::ByFeedFromStart, &self.quantity(feed), since)
             }
+            Fact::ByFeedOfContour(first) => (Told::ByFeedOfContour, vec![line(first)]),
             Fact::FromTo(from, to) => {
                 let place = |quantity| Value::Text(self.quantity(quantity).into());
                 (Told::FromTo, vec![("from", place(from)), ("to", place(to))])
@@ -224,6 +225,7 @@ impl Speaker<'_> {
             }
             Fact::ReadBy(ContourUse::Roughing) => (Told::ReadByRoughing, Vec::new()),
             Fact::ReadBy(ContourUse::Finishing) => (Told::ReadByFinishing, Vec::new()),
+            Fact::ReadByBoth => (Told::ReadByBoth, Vec::new()),
             Fact::ThreadLocked => (Told::ThreadLocked, Vec::new()),
             Fact::IgnoredByRoughing => (Told::IgnoredByRoughing, Vec::new()),
             Fact::TakenByFinishing => (Told::TakenByFinishing, Vec::new()),
@@ -474,7 +476,7 @@ pub fn block_of(fact: &Fact) -> Option<u32> {
         | Fact::ByFeed(_, since)
         | Fact::SpeedHeld(_, since) => since,
         Fact::Contour(first, _) => Some(first.start),
-        Fact::Names(block) | Fact::VariableSet(_, block) => Some(block),
+        Fact::Names(block) | Fact::VariableSet(_, block) | Fact::ByFeedOfContour(block) => Some(block),
         _ => None,
     }
 }

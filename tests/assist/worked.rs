@@ -328,3 +328,41 @@ fn a_tool_word_says_how_far_its_offset_moves_the_tip() {
     assert!(facts(&mut program, 2, Language::Chinese).contains("刀补使刀尖移动"));
     assert!(facts(&mut program, 2, Language::Russian).contains("Коррекция смещает вершину"));
 }
+
+/// The contour is in lines 6 to 9, with F in lines 6 and 8; F of roughing has the value of line 6.
+const FINISHED: &str = "O1\nT0101 M3 S800 G99\nG0 X52 Z2\nG71 U2 R1\nG71 P10 Q20 U0.4 W0.1 F0.1\nN10 G0 X20 F0.1\nG1 Z-20\n\
+                        X40 Z-30 F0.15\nN20 X52\nG70 P10 Q20\nM30\n";
+
+#[test]
+fn the_feed_of_finishing_comes_from_the_contour() {
+    let mut program = Program::new(FINISHED);
+    let mut feed = |line: usize, word: &str| {
+        let facts = program.word(line, word).1;
+        facts.into_iter().find(|fact| fact.starts_with("Feed rate")).unwrap_or_default()
+    };
+    assert_eq!(feed(7, "Z-20"), "Feed rate here: 0.1 mm/rev, from line 6.");
+    assert_eq!(feed(9, "X52"), "Feed rate here: 0.15 mm/rev, from line 8.");
+    assert_eq!(feed(10, "P10"), "Feed rate here: the F words of the contour, the first in line 6.");
+    // Without F in the contour, that of roughing is in force.
+    let mut program = Program::new(
+        "O1\nT0101 M3 S800 G99\nG0 X52 Z2\nG71 U2 R1\nG71 P10 Q20 U0.4 W0.1 F0.2\nN10 G0 X20\nN20 G1 Z-20\nG70 P10 Q20\nM30\n",
+    );
+    assert!(program.word(8, "P10").1.contains(&"Feed rate here: 0.2 mm/rev, from line 5.".to_owned()));
+}
+
+#[test]
+fn all_cycles_that_read_a_contour_are_named() {
+    let read = |text: &'static str| {
+        let facts = Program::new(text).word(7, "Z-20").1;
+        facts.into_iter().filter(|fact| fact.starts_with("Read by")).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        read(FINISHED),
+        ["Read by a roughing cycle and by finishing (G70) as a part of their contour."]
+    );
+    let roughed = "O1\nT0101 M3 S800 G99\nG0 X52 Z2\nG71 U2 R1\nG71 P10 Q20 U0.4 W0.1 F0.1\nN10 G0 X20\nG1 Z-20\nN20 X52\nM30\n";
+    assert_eq!(read(roughed), ["Read by a roughing cycle as a part of its contour."]);
+    let finished =
+        "O1\nT0101 M3 S800 G99\nG0 X52 Z2\n\nG70 P10 Q20 F0.1\nN10 G0 X20\nG1 Z-20\nN20 X52\nM30\n";
+    assert_eq!(read(finished), ["Read by finishing (G70) as a part of its contour."]);
+}
