@@ -161,8 +161,12 @@ fn the_speed_of_a_thread_follows_the_machine() {
             .filter(|slug| *slug != "no-program-end")
             .collect::<Vec<_>>()
     };
+    // The slide moves at 600 · 2 = 1200 mm/min.
+    assert!(said("MAXSPEED=4000").is_empty());
+    assert!(said("RAPIDZ=1200").is_empty());
+    assert_eq!(said("RAPIDZ=1199"), ["thread-spindle-too-fast"]);
     // 1200 / 2 - 80 = 520, - 0 = 600, - 100 = 500.
-    assert_eq!(said("MAXSPEED=4000"), ["thread-spindle-too-fast"]);
+    assert_eq!(said("THREADK=80"), ["thread-spindle-too-fast"]);
     assert!(said("THREADK=0").is_empty());
     assert_eq!(said("THREADK=100"), ["thread-spindle-too-fast"]);
 }

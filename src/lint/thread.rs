@@ -17,8 +17,6 @@ use crate::units::Diameter;
 
 /// n ≤ 1200 / P − K (seed 001).
 const SPEED_OF_PITCH: f64 = 1200.0;
-/// Default K of that rule, rpm.
-const SPEED_MARGIN: f64 = 80.0;
 /// Pitches for which the rule was made, mm.
 const PITCHES: std::ops::RangeInclusive<f64> = 0.2..=10.0;
 /// Leads that controls accept as F, mm (seed 001).
@@ -41,7 +39,7 @@ const GROOVE_WIDENING: f64 = 0.2;
 const HOLDER_COMPENSATION: f64 = 0.05;
 /// Lengths that differ by at most this are equal, mm.
 const LENGTH_TOLERANCE: f64 = 0.001;
-/// Few slides are faster than this, mm/min.
+/// Few slides are faster than this while they cut a thread, mm/min.
 const MAX_SLIDE_SPEED: f64 = 4000.0;
 /// Most starts of a thread that are searched for.
 const MAX_STARTS: u32 = 12;
@@ -213,7 +211,8 @@ impl Threads {
         }
         let known = Known {
             face: at.stock().map(|stock| stock.face),
-            margin: at.setup.machine.thread_speed_margin.unwrap_or(SPEED_MARGIN),
+            margin: at.setup.machine.thread_speed_margin,
+            rapid: at.setup.machine.rapid_z,
         };
         let span = pass.block.words_span();
         let mut passes = self.passes;
@@ -456,8 +455,25 @@ fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<
 struct Known {
     /// Z of the face of the blank, mm, if given.
     face: Option<f64>,
-    /// K of n ≤ 1200/P − K, rpm.
-    margin: f64,
+    /// K of n ≤ 1200/P − K, rpm, if given.
+    margin: Option<f64>,
+    /// Rapid rate along Z, mm/min, if given.
+    rapid: Option<f64>,
+}
+
+/// Reports a spindle speed that the slide cannot follow, or that exceeds the rule of thumb if the setup gives its
+/// K.
+fn too_fast(own: &Pass, pitch: f64, known: Known) -> Option<Message> {
+    let Pass { speed, lead, .. } = *own;
+    let slide = speed * lead;
+    let limit = known.rapid.unwrap_or(MAX_SLIDE_SPEED);
+    if slide > limit + LENGTH_TOLERANCE {
+        return Some(said::ThreadSlideTooFast { speed, lead, slide, limit }.into());
+    }
+    let margin = known.margin.filter(|_| PITCHES.contains(&pitch))?;
+    let limit = SPEED_OF_PITCH / pitch - margin;
+    (speed > limit)
+        .then(|| said::ThreadTooFast { speed, pitch, limit: limit.floor().max(0.0), margin }.into())
 }
 
 /// Remarks about a pass: its speed, and whether it fits the pass before it. `fits`: it begins in a groove or
@@ -475,16 +491,12 @@ fn remarks(
     let mut diagnostics = Vec::new();
     let before = before.filter(|before| is_same_thread(own, before));
     if before.is_none() {
-        let Known { face, margin } = known;
-        let limit = SPEED_OF_PITCH / pitch - margin;
-        if PITCHES.contains(&pitch) && own.speed > limit {
-            let speed = own.speed;
-            let message = said::ThreadTooFast { speed, pitch, limit: limit.floor().max(0.0), margin };
+        if let Some(message) = too_fast(own, pitch, known) {
+            let is_slide = message.is::<said::ThreadSlideTooFast>();
             let diagnostic = Diagnostic::new(message, span);
             // The rule of thumb is for small lathes.
-            let is_fast = speed * own.lead > MAX_SLIDE_SPEED;
-            diagnostics.push(if is_fast { diagnostic.with_severity(Severity::Warning) } else { diagnostic });
-        } else if let Some(run_in) = run_in(own, face) {
+            diagnostics.push(if is_slide { diagnostic.with_severity(Severity::Warning) } else { diagnostic });
+        } else if let Some(run_in) = run_in(own, known.face) {
             diagnostics.push(Diagnostic::new(run_in, span));
         }
         return diagnostics;

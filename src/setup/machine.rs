@@ -14,7 +14,7 @@ pub struct Machine {
     pub rapid_z: Option<f64>,
     /// Highest spindle speed, rpm.
     pub max_speed: Option<f64>,
-    /// K of the rule of thumb for threads, n ≤ 1200/P − K, rpm (seed 001); 80 by default. A slide that
+    /// K of the rule of thumb for threads, n ≤ 1200/P − K, rpm (seed 001). A slide that
     /// accelerates slowly needs more.
     pub thread_speed_margin: Option<f64>,
     /// Travel of the tip.
