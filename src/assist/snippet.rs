@@ -4,6 +4,8 @@
 //! texts run without a message.
 
 use super::Query;
+use super::form::g_of;
+use super::hover::cuts_thread;
 use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::words::{CodeWord, Sample};
 use crate::control::codes::{self, Compensation, G, Hole, MacroCall, MotionMode, Multiple};
@@ -11,6 +13,8 @@ use crate::control::modal::State;
 use crate::control::words::Reading;
 use crate::cycles::single::Single;
 use crate::setup::dialect::{DecimalRule, Dialect, FeedMode, PqUnit};
+use crate::text::block::{Block, Word};
+use crate::text::parser::{Parser, Resume};
 use crate::units::{Diameter, Unit, number};
 
 /// A piece of a snippet.
@@ -103,6 +107,7 @@ impl Snippet {
             (false, blank) => blank.unwrap_or(50.0),
         };
         let reach = stock.map_or(30.0, |stock| (stock.length - stock.grip.unwrap_or(0.0)) / 2.0).min(30.0);
+        let is_thread = self.code().is_some_and(cuts_thread);
         let mut writing = Writing {
             asked,
             reading,
@@ -111,6 +116,10 @@ impl Snippet {
             face,
             before: if is_near { from.min(face + CLEAR) } else { face + CLEAR },
             reach,
+            lead: is_thread.then(|| lead_before(asked, reading)).flatten().unwrap_or(match state.unit {
+                Unit::Millimetre => 2.0,
+                Unit::Inch => Unit::Inch.millimetres() / 16.0,
+            }),
             sequences: (used + 10, used + 20),
             pieces: Vec::new(),
         };
@@ -128,12 +137,57 @@ pub fn written(mm: f64, reading: Reading) -> String {
     text
 }
 
+/// Formats a lead, which has up to six decimals: 12 threads per inch are F0.083333.
+fn lead(mm: f64, reading: Reading) -> String {
+    let short = written(mm, reading);
+    let exact = format!("{:.6}", mm / reading.unit.millimetres());
+    let exact = exact.trim_end_matches('0').trim_end_matches('.');
+    if exact.len() > short.trim_end_matches('.').len() { exact.to_owned() } else { short }
+}
+
 /// Clearance between the blank and the approach point, mm of diameter and mm along Z.
 const CLEAR: f64 = 2.0;
 /// Maximum distance of a tool that counts as near the face, mm.
 const NEAR: f64 = 20.0;
+/// Smallest lead whose pull-out over a whole lead may reach beyond the start point, mm.
+const LEAD_PULLED_OUT: f64 = 2.8;
+/// Number of bytes before the block that are searched for a thread.
+const SEARCHED: usize = 1 << 16;
 /// Spindle speed in the head of a program, rpm.
 const SPEED: f64 = 800.0;
+
+/// The lead of the last thread before the block, mm: of a block that cuts one, or of a comment such as `M20X1.5`.
+fn lead_before(asked: &Query, reading: Reading) -> Option<f64> {
+    let end = (asked.block.span.start as usize).min(asked.text.len());
+    let searched = &asked.text[end.saturating_sub(SEARCHED)..end];
+    let line = if searched.len() < end { searched.iter().position(|&byte| byte == b'\n')? + 1 } else { 0 };
+    let begin = Resume::inside((end - searched.len() + line) as u32, 0);
+    let mut parser = Parser::resume(asked.text, begin);
+    let mut block = Block::default();
+    let mut lead = None;
+    while parser.next_block(&mut block) && (block.span.start as usize) < end {
+        let comments = block.comments.iter().map(|span| String::from_utf8_lossy(span.of(asked.text)));
+        lead = comments.filter_map(|comment| lead_in(&comment)).last().or(lead);
+        let threads = |word: &Word| g_of(word, asked.codes).is_some_and(cuts_thread);
+        if block.words.iter().any(threads) {
+            let word = block.words.iter().find(|word| word.address == b'F' && !word.comma);
+            lead = word.and_then(|word| reading.feed(word)).filter(|&lead| lead > 0.0).or(lead);
+        }
+    }
+    lead
+}
+
+/// The lead in a designation such as `M20X1.5`.
+fn lead_in(comment: &str) -> Option<f64> {
+    let words = comment.split(|char: char| !char.is_ascii_alphanumeric() && char != '.');
+    words
+        .filter_map(|word| {
+            let (diameter, lead) = word.strip_prefix(['M', 'm'])?.split_once(['X', 'x'])?;
+            let (diameter, lead): (f64, f64) = (diameter.parse().ok()?, lead.parse().ok()?);
+            (diameter > 0.0 && (0.2..=diameter / 4.0).contains(&lead)).then_some(lead)
+        })
+        .last()
+}
 
 struct Writing<'a> {
     asked: &'a Query<'a>,
@@ -147,6 +201,8 @@ struct Writing<'a> {
     before: f64,
     /// Length of the cut along Z, mm.
     reach: f64,
+    /// Lead of a thread, mm.
+    lead: f64,
     /// Unused sequence numbers for a contour.
     sequences: (u32, u32),
     pieces: Vec<Piece>,
@@ -199,6 +255,25 @@ impl Writing<'_> {
         self.fixed(&format!(" {letter}"));
         let increments = mm / self.reading.unit.millimetres() / self.reading.unit.increment();
         self.fill(number(increments.round()));
+    }
+
+    /// Writes a word with a length in mm as a placeholder, rounded to the increment.
+    fn exact(&mut self, letter: &str, mm: f64) {
+        self.fixed(&format!(" {letter}"));
+        let grain = self.reading.unit.increment() * self.reading.unit.millimetres();
+        self.fill(written((mm / grain).round() * grain, self.reading));
+    }
+
+    /// The height of the thread, mm, in whole increments: 0.65 of its lead, if the blank is thick enough.
+    fn thread_height(&self) -> f64 {
+        let grain = self.reading.unit.increment() * self.reading.unit.millimetres();
+        ((0.65 * self.lead).min(self.outside / 4.0) / grain).round() * grain
+    }
+
+    /// A depth rounded to a hundredth of a millimetre or a thousandth of an inch.
+    fn round_depth(&self, mm: f64) -> f64 {
+        let grain = 10.0 * self.reading.unit.increment() * self.reading.unit.millimetres();
+        (mm / grain).round().max(1.0) * grain
     }
 
     /// A diameter up to `most` mm smaller than the blank, but at least half of it.
@@ -347,7 +422,20 @@ impl Writing<'_> {
             Sample::Behind(mm) => self.length(&letter, self.face - mm),
             Sample::Inward(most) => self.length(&letter, self.inward(most)),
             Sample::Along(part) => self.length(&letter, self.along(part)),
-            Sample::Height(most) => self.depth(&letter, (self.outside - self.inward(most)) / 2.0),
+            Sample::Lead => {
+                self.fixed(&format!(" {letter}"));
+                self.fill(lead(self.lead, self.reading));
+            }
+            Sample::ThreadRoot => self.exact(&letter, self.outside - 2.0 * self.thread_height()),
+            Sample::ThreadHeight => self.depth(&letter, self.thread_height()),
+            Sample::ThreadFirst => {
+                self.depth(&letter, self.round_depth((0.2 * self.lead).min(self.thread_height() / 2.0)))
+            }
+            Sample::ThreadPacked => {
+                self.fixed(&format!(" {letter}"));
+                // Two finishing passes, and a pull-out over one lead where the start point is that far away.
+                self.fill(if self.lead < LEAD_PULLED_OUT { "021060" } else { "020560" });
+            }
         }
     }
 

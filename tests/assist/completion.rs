@@ -151,6 +151,35 @@ fn snippets_run_as_they_are() {
     }
 }
 
+/// The height is 0.65 of the lead, and X is smaller than the blank of 40 mm by twice the height.
+#[test]
+fn a_threading_cycle_takes_the_lead_of_the_program() {
+    let whole = |head: &str, setup: &str| {
+        let items = proposed(&format!("{head}G76$0\n"), setup, false);
+        let snippet = items.into_iter().find(|item| item.kind == "snippet").expect("a snippet");
+        snippet.text
+    };
+    let first = |lead: &str| format!("G76 P{lead} Q100 R0.05\n");
+    let check = |head: &str, packed: &str, second: &str| {
+        let text = whole(head, STOCK);
+        let words: Vec<_> = second.split(' ').collect();
+        assert!(text.starts_with(&first(packed)[..11]), "{text}");
+        let own = text.lines().nth(1).expect("two blocks");
+        assert!(words.iter().all(|word| own.split(' ').any(|other| other == *word)), "{own}: {second}");
+    };
+    check(HEAD, "021060", "X37.4 P1300 Q400 F2");
+    check(&format!("{HEAD}(THREAD M40X1.5)\n"), "021060", "X38.05 P975 Q300 F1.5");
+    check(&format!("{HEAD}G92 X39 Z-20 F1\nX38.7\n"), "021060", "X38.7 P650 Q200 F1");
+    // A pull-out over one lead of 4 mm reaches beyond X42, which is 3.6 mm from the root.
+    check(&format!("{HEAD}(M40X4)\n"), "020560", "X34.8 P2600 Q800 F4");
+    // 16 threads per inch: 0.0625 · 0.65 = 0.0406. The blank has 40 / 25.4 = 1.5748 in.
+    let inches = "O1\nG20 T0101 M3 S800 F0.01\nG00 X1.66 Z0.1\n";
+    check(inches, "021060", "X1.4936 P406 F0.0625");
+    // 12 threads per inch: 0.083333 · 0.65 = 0.0542.
+    let twelve = format!("{inches}G92 X1.5 Z-1. F.083333\n");
+    check(&twelve, "021060", "X1.4664 P542 F0.083333");
+}
+
 #[test]
 fn a_code_proposes_its_whole_cycle_first() {
     let at = |typed: &str, asked: bool| proposed(&format!("{HEAD}{typed}$0\n"), STOCK, asked);

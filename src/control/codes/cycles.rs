@@ -281,8 +281,6 @@ pub const GROOVING: CycleSpec = CycleSpec {
     ..FACE_PECKING
 };
 
-/// Height of the thread in a snippet, mm of diameter.
-const THREAD: f64 = 2.6;
 const THREAD_END_X: CodeWord = word(b"XU", &[Role::ThreadEndX, Role::ThreadWayX]).must();
 const THREAD_END_Z: CodeWord = word(b"ZW", &[Role::ThreadEndZ, Role::ThreadWayZ]).stays();
 const THREAD_HEIGHT: &[Role] = &[Role::ThreadHeight];
@@ -300,7 +298,7 @@ pub const THREADING: CycleSpec = CycleSpec {
     whole_with: letters(b"K"),
     reads_contour: false,
     first: &[
-        word(b"P", &[Role::ThreadPacked]).as_set().sample(Sample::Digits("020060")),
+        word(b"P", &[Role::ThreadPacked]).as_set().sample(Sample::ThreadPacked),
         word(b"Q", &[Role::LeastDepth]).as_set().sample(Sample::Depth(0.1)),
         word(b"R", &[Role::ThreadAllowance])
             .as_set()
@@ -313,12 +311,12 @@ pub const THREADING: CycleSpec = CycleSpec {
         STARTS,
     ],
     second: &[
-        THREAD_END_X.sample(Sample::Inward(THREAD)),
+        THREAD_END_X.sample(Sample::ThreadRoot),
         THREAD_END_Z.sample(Sample::Along(2.0 / 3.0)),
         word(b"R", THREAD_TAPER).zero(),
-        word(b"P", THREAD_HEIGHT).must().sample(Sample::Height(THREAD)),
-        word(b"Q", FIRST_DEPTH).must().sample(Sample::Depth(0.4)),
-        LEAD.sample(Sample::Length(2.0)),
+        word(b"P", THREAD_HEIGHT).must().sample(Sample::ThreadHeight),
+        word(b"Q", FIRST_DEPTH).must().sample(Sample::ThreadFirst),
+        LEAD.sample(Sample::Lead),
         word(b"I", THREAD_TAPER),
         word(b"D", FIRST_DEPTH),
         word(b"A", THREAD_ANGLE),
@@ -398,7 +396,7 @@ const SINGLE_FACING: SingleSpec = SingleSpec {
     on_gsk: FACING_WORDS,
 };
 
-const SINGLE_LEAD: CodeWord = word(b"F", &[Role::Lead]).as_set().sample(Sample::Length(2.0));
+const SINGLE_LEAD: CodeWord = word(b"F", &[Role::Lead]).as_set().sample(Sample::Lead);
 const SINGLE_THREAD_X: CodeWord = CYCLE_END_X.sample(Sample::Smaller(0.5));
 const SINGLE_THREAD_Z: CodeWord = CYCLE_END_Z.sample(Sample::Along(2.0 / 3.0));
 const SINGLE_TAPER: CodeWord = word(b"R", &[Role::TaperX]).zero();

@@ -63,8 +63,16 @@ pub enum Sample {
     Smaller(f64),
     /// A place along Z behind the face by this, mm.
     Behind(f64),
-    /// The height from the blank to a diameter that is smaller by at most this, mm.
-    Height(f64),
+    /// The lead of a thread.
+    Lead,
+    /// The root diameter of the thread on the blank.
+    ThreadRoot,
+    /// The height of the thread.
+    ThreadHeight,
+    /// The depth of the first pass of the thread.
+    ThreadFirst,
+    /// Finishing passes, pull-out and tool angle of G76.
+    ThreadPacked,
 }
 
 /// A word of a code, or several letters of which a block has one.
