@@ -6,7 +6,7 @@ use super::once::Once;
 use crate::control::codes::G;
 use crate::control::events::EventContext;
 use crate::control::words::{Words, letters, plain, quote};
-use crate::message::{Diagnostic, Fix, Message, said};
+use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::motion::SpindleTurn;
 use crate::source::Span;
 use crate::source::shift::Shift;
@@ -287,6 +287,10 @@ impl Spindle {
         if plain(word).is_some_and(|highest| highest > MAX_SPEED_SMALL_BAR.max(max_usual_speed(at))) {
             let message = said::SpindleSpeedHigh { word: quote(at.text, word.span) };
             reports.push(Diagnostic::new(message, word.span));
+        } else if let Some(highest) = plain(word) {
+            // Under G96 the machine holds the speed at its own limit.
+            let above = above_machine(highest, word, at);
+            reports.extend(above.map(|above| above.with_severity(Severity::Info)));
         }
     }
 
@@ -386,8 +390,17 @@ fn unusual_speed(value: f64, word: &Word, at: &EventContext) -> Option<Diagnosti
     {
         said::SpindleSpeedHigh { word: quoted() }.into()
     } else {
-        return None;
+        return above_machine(value, word, at);
     };
+    Some(Diagnostic::new(message, word.span))
+}
+
+/// Reports a speed of the spindle above the highest speed of the machine, if the setup gives it.
+fn above_machine(value: f64, word: &Word, at: &EventContext) -> Option<Diagnostic> {
+    let spindle = &at.state.spindle;
+    let may_be_live = spindle.live_tool || spindle.machine_code_with_speed || at.state.c_axis;
+    let highest = at.setup.machine.max_speed.filter(|&highest| value > highest && !may_be_live)?;
+    let message = said::SpeedAboveMachine { word: quote(at.text, word.span), highest };
     Some(Diagnostic::new(message, word.span))
 }
 
