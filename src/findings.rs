@@ -318,6 +318,13 @@ fn message(finding: &Finding, motions: &Motions) -> Message {
                 }
             }
         }
+        Danger::WrongSide { kind, station } => {
+            let tool = tool_of(finding, motions, station);
+            match kind {
+                ToolKind::Boring => said::BoringBarOutside { tool }.into(),
+                _ => said::OutsideToolBores { tool }.into(),
+            }
+        }
         Danger::FastFeed { per_turn } => said::FeedPerTurnHigh { feed: hundredth(per_turn) }.into(),
     }
 }

@@ -187,6 +187,19 @@ fn a_collision_is_where_the_tool_first_touches() {
     check_place(&format!("{{{bar}, {blade}}}"), "T0303\nG00 X54 Z-20\nG01 X30 F0.1", (50.0, -17.0));
 }
 
+/// The blank is a tube of 60 and 20 mm; the inserts have edges of 12 mm.
+#[test]
+fn a_tool_on_the_wrong_side_is_one_fault() {
+    check_danger("T0202\nM3 S500\nG00 X62 Z2\nG90 X56 Z-30 F.2\nX52\nG00 X100 Z50", &[("WrongSide", 4)]);
+    check_danger("T0101\nM3 S500\nG00 X18 Z2\nG90 X24 Z-30 F.2\nX26\nG00 Z50", &[("WrongSide", 4)]);
+    check_danger("T0101\nM3 S500\nG00 X62 Z2\nG90 X56 Z-30 F.2\nX52\nG00 X100 Z50", &[]);
+    check_danger("T0202\nM3 S500\nG00 X18 Z2\nG90 X24 Z-30 F.2\nX26\nG00 Z50", &[]);
+    // A bore that is drilled with a tool that is not shown: the boring bar comes from within.
+    let solid = r#"{"stock": {"diameter": 60, "length": 100}, "tools": {"T0202": {"type": "boring"}}}"#;
+    let findings = simulation("T0202\nM3 S500\nG00 X36 Z2\nG90 X42 Z-30 F.2", solid).findings().to_vec();
+    assert!(!findings.iter().any(|finding| matches!(finding.danger, Danger::WrongSide { .. })));
+}
+
 #[test]
 fn holders_slopes_and_the_axis() {
     // A grooving insert with a reach of 8 mm.

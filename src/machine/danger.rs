@@ -69,6 +69,13 @@ pub enum Danger {
         /// Station of the tool.
         station: u16,
     },
+    /// A boring bar of the setup turns the outside, or an outside turning tool bores.
+    WrongSide {
+        /// Kind of the tool.
+        kind: ToolKind,
+        /// Station of the tool.
+        station: u16,
+    },
     /// The feed of a cut is higher than an insert takes.
     FastFeed {
         /// The feed, mm/rev.
@@ -79,7 +86,7 @@ pub enum Danger {
 impl Danger {
     /// Whether it has a place that the picture can mark.
     pub fn has_place(&self) -> bool {
-        !matches!(self, Self::ToolNotListed { .. } | Self::OtherWork { .. })
+        !matches!(self, Self::ToolNotListed { .. } | Self::OtherWork { .. } | Self::WrongSide { .. })
     }
 }
 

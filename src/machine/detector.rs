@@ -188,6 +188,9 @@ impl DangerDetector {
         if self.stock.is_none() || motion.process.incomplete {
             return;
         }
+        if self.misuse.cuts_on_wrong_side(station) {
+            return;
+        }
         if motion.cycle.is_some() && self.cycle_start(index, motion, part) {
             return;
         }
@@ -364,6 +367,9 @@ impl DangerDetector {
         }
         for danger in self.misuse.next(&Cut { motion, before, tool, blank: self.stock }, part) {
             self.report(index, motion.to, danger);
+        }
+        if self.misuse.cuts_on_wrong_side(motion.process.tool.0) {
+            return;
         }
         if let Some(outline) = &tool.shape.body {
             let body = Solid { outline, core: &outline.shrunk(0.01), nose: None };

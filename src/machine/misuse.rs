@@ -6,6 +6,7 @@
 use super::danger::Danger;
 use super::part::{Part, Turned, cut};
 use super::resolved_setup::{Basis, ResolvedTool};
+use super::tool::EDGE;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleFamily, Feed, Motion, MotionKind, SpindleSpeed, SpindleTurn};
 use crate::setup::{Stock, ToolKind};
@@ -38,6 +39,9 @@ const LEAD_OF_GROOVING: f64 = 1.3;
 /// With a larger lead, mm, a boring tool cuts an oil groove.
 const OIL_GROOVE: f64 = 8.0;
 
+/// An insert does not cut deeper than this across the axis, mm, if its edge length is not given.
+const INSERT: f64 = EDGE;
+
 /// A cut with the context needed to check it.
 #[derive(Clone, Copy)]
 pub(super) struct Cut<'a> {
@@ -53,6 +57,8 @@ pub(super) struct Cut<'a> {
 pub(super) struct Misuse {
     /// Stations that were reported as misused.
     misused: Vec<u16>,
+    /// Stations whose tool cuts on the wrong side: their collisions are consequences.
+    wrong_side: Vec<u16>,
     /// The holes of drills on the axis.
     holes: Vec<Hole>,
     /// The feed that was reported last, mm/rev.
@@ -72,8 +78,51 @@ struct Hole {
 impl Misuse {
     /// The dangers of the next cut. `before` does not include dwells.
     pub fn next(&mut self, cut: &Cut, part: &mut Part) -> impl Iterator<Item = Danger> + use<> {
-        let found = [self.other_work(cut, part), self.fast_feed(cut, part)];
+        let found = [self.wrong_side(cut, part), self.other_work(cut, part), self.fast_feed(cut, part)];
         found.into_iter().flatten()
+    }
+
+    /// Whether the tool of a station was reported to cut on the wrong side.
+    pub fn cuts_on_wrong_side(&self, station: u16) -> bool {
+        self.wrong_side.contains(&station)
+    }
+
+    /// Reports a boring bar that turns the outside, or an outside turning tool that bores, once for each station:
+    /// on the side of its body the material is thicker than its insert, on the other side it is not.
+    fn wrong_side(&mut self, cut: &Cut, part: &mut Part) -> Option<Danger> {
+        let Cut { motion, tool, before: last, .. } = *cut;
+        let kind = tool.tool.kind.filter(|_| tool.basis == Basis::Given)?;
+        let direction = tool.tool.tip_direction();
+        let is_inside = match kind {
+            ToolKind::Boring if matches!(direction, 1 | 2) => true,
+            ToolKind::Turning if matches!(direction, 3 | 4) => false,
+            _ => return None,
+        };
+        let (from, to) = (motion.from, motion.to);
+        let along = (to.z - from.z).abs() > (to.x - from.x).abs();
+        let is_known = motion.process.turn == SpindleTurn::Stopped || self.wrong_side.contains(&tool.station);
+        if motion.kind != MotionKind::Feed || motion.arc().is_some() || !along || is_known {
+            return None;
+        }
+        let (x, z) = ((from.x + to.x) / 2.0, (from.z + to.z) / 2.0);
+        let (low, high) = part.now().radii(z).into_iter().find(|&(low, high)| low < x && x < high)?;
+        let insert = tool.tool.edge_length.unwrap_or(INSERT);
+        let (behind, before) = if is_inside { (x - low, high - x) } else { (high - x, x - low) };
+        // A bar without a bore is drilled, not bored.
+        if behind <= insert || before > insert || !is_inside && low <= OFF_AXIS {
+            return None;
+        }
+        // It comes from the outside, or from the bore.
+        let last = last?;
+        let comes_from_there = match is_inside {
+            true => last.from.x.max(last.to.x) >= high - SAME,
+            false => last.from.x.min(last.to.x) <= low + SAME,
+        };
+        if !comes_from_there {
+            return None;
+        }
+        self.wrong_side.push(tool.station);
+        Some(Danger::WrongSide { kind, station: tool.station })
     }
 
     /// Reports a tool of the setup that does the work of another kind of tool, once for each station.
