@@ -448,7 +448,7 @@ fn hit(region: &Region, solid: Solid, motion: &Motion) -> Option<Point> {
     // A nose touches a wall beside the programmed point, which is the place to report.
     let blunt =
         used.points().iter().map(|point| point.distance(Point::default())).fold(f64::INFINITY, f64::min);
-    let is_at_tip = nose.is_some_and(|nose| at.distance(tip) <= 2.0 * nose + blunt + AT_TIP);
+    let is_at_tip = nose.is_some_and(|nose| at.distance(tip) <= nose + blunt + AT_TIP);
     if is_at_tip && free.is_some() {
         return Some(tip);
     }

@@ -72,7 +72,7 @@ fn speeds_are_as_high_and_as_low_as_lathes_have_them() {
     is_told(slug, &turned("STOCK D=10 LENGTH=30", "G97 S24000"));
     is_told(slug, &turned("STOCK D=50 LENGTH=30", "G97 S15000"));
     is_told(slug, &turned("ROLL", "G96 S4"));
-    let machine = r#"{"machine": {"maxSpeed": 16000}}"#;
+    let machine = r#"{"machine": {"maxSpeed": 20000}}"#;
     assert_eq!(times(machine, &turned("STOCK D=50 LENGTH=30", "G97 S15000"), slug), 0);
 }
 
