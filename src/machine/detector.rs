@@ -46,7 +46,7 @@ const MIN_REMAINING: f64 = 0.5;
 
 /// A contact is located to this along the path, mm, and its area is computed this far behind it.
 const CONTACT: f64 = 1e-5;
-const FLAT: f64 = 0.001;
+const FLAT: [f64; 4] = [0.001, 0.01, 0.1, 1.0];
 
 /// Most halvings of a path: enough for 100 m.
 const HALVINGS: u32 = 34;
@@ -428,8 +428,11 @@ fn hit(region: &Region, solid: Solid, motion: &Motion) -> Option<Point> {
     };
     let ends = way.windows(2).find(enters)?;
     let (from, to) = (ends[0], ends[1]);
-    if region.contains(from) && region.overlaps(&core.at(from)) {
-        return Some(from);
+    let of_start = region.intersection(&[core.at(from)]);
+    if !of_start.is_empty() {
+        // It was there already.
+        let is_tip = nose.is_some() && region.contains(Point::new(from.x, from.z + SKIN));
+        return if is_tip { Some(from) } else { nearest_corner(&of_start, from) };
     }
     let length = from.distance(to).max(CONTACT);
     let of_core = first_overlap(region, core, from, to);
@@ -441,10 +444,11 @@ fn hit(region: &Region, solid: Solid, motion: &Motion) -> Option<Point> {
     let share = first_overlap(region, used, begin, to);
     let tip = between(begin, to, share);
     // Far enough behind the contact for an area that is no rounding error.
-    let behind = between(begin, to, (share + FLAT / length).min(1.0));
-    let common = region.intersection(&[used.along_line(begin, behind)]);
-    let nearest = |a: &Point, b: &Point| a.distance(tip).total_cmp(&b.distance(tip));
-    let at = common.outlines().flatten().min_by(nearest).unwrap_or(tip);
+    let at = FLAT.into_iter().find_map(|way| {
+        let behind = between(begin, to, (share + way / length).min(1.0));
+        nearest_corner(&region.intersection(&[used.along_line(begin, behind)]), tip)
+    });
+    let at = at.unwrap_or(tip);
     // A nose touches a wall beside the programmed point, which is the place to report.
     let blunt =
         used.points().iter().map(|point| point.distance(Point::default())).fold(f64::INFINITY, f64::min);
@@ -453,6 +457,11 @@ fn hit(region: &Region, solid: Solid, motion: &Motion) -> Option<Point> {
         return Some(tip);
     }
     region.nearest_on_edge(if is_at_tip { tip } else { at })
+}
+
+/// The corner of a region that is nearest to a point.
+fn nearest_corner(region: &Region, to: Point) -> Option<Point> {
+    region.outlines().flatten().min_by(|a, b| a.distance(to).total_cmp(&b.distance(to)))
 }
 
 /// The share of a line after which an outline overlaps a region.
