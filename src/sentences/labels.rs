@@ -283,7 +283,7 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
         (Name::Decimal, "leastIncrement") => language.among([
             "in 0.001 mm or 0.0001 in",
             "按 0.001 mm 或 0.0001 in 计",
-            "в 0,001 мм или 0,0001 дюйма",
+            "в 0.001 мм или 0.0001 дюйма",
         ]),
         (Name::Control, "fanuc") => "FANUC",
         (Name::Control, "gsk") => "GSK 980TD",
@@ -295,7 +295,7 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
         (Name::FeedMode, "G98") => language.among(["mm/min (G98)", "mm/min（G98）", "мм/мин (G98)"]),
         (Name::FeedMode, "G99") => language.among(["mm/rev (G99)", "mm/r（G99）", "мм/об (G99)"]),
         (Name::PqUnit, "auto") => language.among(["inferred from the program", "按程序判断", "по программе"]),
-        (Name::PqUnit, "um") => language.among(["in 0.001 mm", "以 0.001 mm 计", "в 0,001 мм"]),
+        (Name::PqUnit, "um") => language.among(["in 0.001 mm", "以 0.001 mm 计", "в 0.001 мм"]),
         (Name::PqUnit, "mm") => language.among(["in mm", "以 mm 计", "в мм"]),
         (Name::NegativeArcR, "over180") => {
             language.among(["arc of more than 180°", "大于 180° 的圆弧", "дуга больше 180°"])
@@ -334,8 +334,8 @@ pub fn without_point(rule: DecimalRule, unit: units::Unit, language: Language) -
     let counts = language.among(match (rule, unit) {
         (DecimalRule::Calculator, units::Unit::Millimetre) => ["mm", "mm", "мм"],
         (DecimalRule::Calculator, units::Unit::Inch) => ["in", "in", "дюйм"],
-        (DecimalRule::LeastIncrement, units::Unit::Millimetre) => ["0.001 mm", "0.001 mm", "0,001 мм"],
-        (DecimalRule::LeastIncrement, units::Unit::Inch) => ["0.0001 in", "0.0001 in", "0,0001 дюйма"],
+        (DecimalRule::LeastIncrement, units::Unit::Millimetre) => ["0.001 mm", "0.001 mm", "0.001 мм"],
+        (DecimalRule::LeastIncrement, units::Unit::Inch) => ["0.0001 in", "0.0001 in", "0.0001 дюйма"],
     });
     format!("{said} = {counts}")
 }
