@@ -15,7 +15,7 @@ use crate::cycles::single::Single;
 use crate::setup::dialect::{DecimalRule, Dialect, FeedMode, PqUnit};
 use crate::text::block::{Block, Word};
 use crate::text::parser::{Parser, Resume};
-use crate::units::{Diameter, Unit, number};
+use crate::units::{Diameter, Unit, number, read_number};
 
 /// A piece of a snippet.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -167,7 +167,7 @@ fn lead_before(asked: &Query, reading: Reading) -> Option<f64> {
     let mut lead = None;
     while parser.next_block(&mut block) && (block.span.start as usize) < end {
         let comments = block.comments.iter().map(|span| String::from_utf8_lossy(span.of(asked.text)));
-        lead = comments.filter_map(|comment| lead_in(&comment)).last().or(lead);
+        lead = comments.rev().find_map(|comment| lead_in(&comment)).or(lead);
         let threads = |word: &Word| g_of(word, asked.codes).is_some_and(cuts_thread);
         if block.words.iter().any(threads) {
             let word = block.words.iter().find(|word| word.address == b'F' && !word.comma);
@@ -180,13 +180,11 @@ fn lead_before(asked: &Query, reading: Reading) -> Option<f64> {
 /// The lead in a designation such as `M20X1.5`.
 fn lead_in(comment: &str) -> Option<f64> {
     let words = comment.split(|char: char| !char.is_ascii_alphanumeric() && char != '.');
-    words
-        .filter_map(|word| {
-            let (diameter, lead) = word.strip_prefix(['M', 'm'])?.split_once(['X', 'x'])?;
-            let (diameter, lead): (f64, f64) = (diameter.parse().ok()?, lead.parse().ok()?);
-            (diameter > 0.0 && (0.2..=diameter / 4.0).contains(&lead)).then_some(lead)
-        })
-        .last()
+    words.rev().find_map(|word| {
+        let (diameter, lead) = word.strip_prefix(['M', 'm'])?.split_once(['X', 'x'])?;
+        let (diameter, lead) = (read_number(diameter)?, read_number(lead)?);
+        (diameter > 0.0 && (0.2..=diameter / 4.0).contains(&lead)).then_some(lead)
+    })
 }
 
 struct Writing<'a> {
