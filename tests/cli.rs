@@ -346,10 +346,10 @@ fn export_writes_files_for_other_programs() {
     assert!(text("svg", &[]).starts_with("<svg "));
     assert_eq!(text("svg", &[]), String::from_utf8(run(&["svg", "-"], program).stdout).unwrap());
     assert_eq!(text("csv", &[]).lines().count(), 1 + rows(&run(&["motions", "-"], program)).len());
-    assert!(text("svg", &["--lang", "ru"]).contains(">X ⌀ мм<"));
+    assert!(text("svg", &["--lang", "ru"]).contains(">X Ø мм<"));
     assert!(text("card", &["--lang", "ru"]).contains(">Z мм<"));
     assert!(text("card", &["--lang", "ru"]).contains("<h1>Карта наладки <b>O0007</b></h1>"));
-    assert!(text("card", &[]).contains("⌀30, length 40 mm"));
+    assert!(text("card", &[]).contains("Ø30, length 40 mm"));
     assert!(
         text("card", &[]).contains("content=\"default-src 'none'; style-src 'unsafe-inline'\">\n<title>")
     );

@@ -21,7 +21,7 @@ use crate::source::{Span, is_unprintable};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
 use crate::text::program_name::is_name;
-use crate::units::{Unit, number};
+use crate::units::{Diameter, Unit, number};
 use here::here;
 use words::{one_of, tool_kind, words};
 
@@ -136,7 +136,8 @@ impl Card<'_> {
         }
         if !self.motions.is_empty() {
             let start = self.motions.get_on_workpiece(0).from;
-            let [x, z] = [2.0 * start.x, start.z].map(|mm| number(mm / self.unit.millimetres()));
+            let [x, z] =
+                [Diameter::from_radius(start.x).mm(), start.z].map(|mm| number(mm / self.unit.millimetres()));
             metadata.push((w.start, format!("X{x} Z{z}")));
         }
         let (_, all) = totals(self.motions, &self.setup.machine);
