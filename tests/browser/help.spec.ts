@@ -107,7 +107,7 @@ test('inside a loop and a call the state is that of the selected pass', async ({
 
 test('a tooltip explains the word under the pointer', async ({ page }) => {
   await open(page);
-  await type(page, THREAD);
+  await type(page, THREAD.replace('S600', 'S2500'));
   // Panels that arrive with the report move the lines, so wait for it.
   await expect(status(page)).toContainText(/\b[1-9] problem/);
   const word = editor(page).locator('.cm-line').nth(4);
@@ -119,11 +119,11 @@ test('a tooltip explains the word under the pointer', async ({ page }) => {
   await expect(card).toContainText('threading');
   await page.mouse.move(box.x + 8, box.y + 200);
   await expect(card).toBeHidden();
-  // Where there is a problem, the tooltip shows only the problem: in line 6 the spindle is too fast for the thread.
+  // Where there is a problem, the tooltip shows only the problem: at S2500 the slide is too slow for the thread of line 6.
   const wrong = (await editor(page).locator('.cm-line').nth(5).boundingBox())!;
   await page.mouse.move(wrong.x + 8, wrong.y + wrong.height / 2);
   await page.mouse.move(wrong.x + 10, wrong.y + wrong.height / 2);
-  await expect(page.locator('.cm-tooltip')).toContainText('S600 is too fast');
+  await expect(page.locator('.cm-tooltip')).toContainText('With S2500 and a lead of 2 mm');
   await expect(page.locator('.word-card')).toHaveCount(0);
 });
 

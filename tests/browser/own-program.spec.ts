@@ -133,9 +133,11 @@ test('an edit, and a text that keeps most of the program, keep its context', asy
   await expect.poll(() => context(page)).toEqual(before);
   await pasteOver(page, `${text}${'G4 X1\n'.repeat(100)}`);
   await expect.poll(() => context(page)).toEqual(before);
+  await expect(about(page)).toBeVisible();
+  // The description does not fit the few lines that are left.
   await pasteOver(page, text.split('\n').slice(0, 4).join('\n'));
   await expect.poll(() => context(page)).toEqual(before);
-  await expect(about(page)).toBeVisible();
+  await expect(about(page)).toBeHidden();
 });
 
 test('a text set by the host page keeps the attributes set by the host page', async ({ page }) => {
