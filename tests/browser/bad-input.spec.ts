@@ -1,5 +1,5 @@
 // With any bad input, the page responds within seconds, shows a message, and keeps working.
-import { expect, test, type Page } from './engines';
+import { chromiumTest, expect, test, type Page } from './engines';
 import { open, openFile, openProblems, problems, status, type } from './page';
 
 const FIVE_MB = 5 * 1024 * 1024;
@@ -36,6 +36,45 @@ for (const byte of ['X', '(', '0', '\n', '%']) {
     await stillWorks(page);
   });
 }
+
+test('the page handles a program of 200,000 lines inside the element, with as many blank lines before it', async ({
+  page,
+}) => {
+  await open(page);
+  const length = await page.evaluate(() => {
+    const element = document.createElement('gcode-playground') as HTMLElement & { value: string };
+    element.textContent = `${'\n'.repeat(200_000)}${'  G4 X1\n'.repeat(200_000)}`;
+    document.body.append(element);
+    const { length } = element.value;
+    element.remove();
+    return length;
+  });
+  expect(length).toBe('G4 X1\n'.length * 200_000 - 1);
+  await stillWorks(page);
+});
+
+chromiumTest('long texts are searched for comments, numbers and backticks in linear time', async () => {
+  const [{ searchWords }, { makeFixture, reportText }, { REPORT_WORDS }] = await Promise.all([
+    import('../../www/src/page/own-programs'),
+    import('../../www/src/page/report'),
+    import('../../www/src/page/report-words'),
+  ]);
+  const start = performance.now();
+  expect(searchWords(`${'('.repeat(49_000)}\nG71 M3`)).toBe('G71 M3');
+  const report = {
+    text: `${'\n'.repeat(300_000)}${'`a'.repeat(300_000)}\nO12\n`,
+    setup: '{}',
+    line: 1,
+    motions: [],
+    machine: '',
+    did: '',
+    versions: '',
+    link: undefined,
+  };
+  expect(makeFixture(report).name).toBe('machine-o12');
+  expect(reportText(report, REPORT_WORDS.en)).toContain('```gcode');
+  expect(performance.now() - start).toBeLessThan(2000);
+});
 
 test('the page handles a binary file', async ({ page }) => {
   await open(page);

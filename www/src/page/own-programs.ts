@@ -129,7 +129,7 @@ export function searchWords(text: string): string {
   const written =
     text
       .slice(0, 50_000)
-      .replace(/\([^)\n]*\)/g, '')
+      .replace(/\([^()\n]*\)/g, '')
       .toUpperCase()
       .match(/[GMTO]\d+(?:\.\d+)?/g) ?? [];
   return [...new Set(written)].slice(0, 60).join(' ');

@@ -60,7 +60,7 @@ export function makeFixture(data: ReportData): {
   readonly files: Readonly<Record<string, string>>;
 } {
   const { text, setup, line, motions = [], machine, did, versions } = data;
-  const number = /^\s*[O:](\d{1,8})/im.exec(text)?.[1];
+  const number = /^[ \t]*[O:](\d{1,8})/im.exec(text)?.[1];
   const source = `${machine.trim()}, block ${line}: ${did.trim()} (${versions})`;
   const json = (value: unknown): string => `${JSON.stringify(value, undefined, 2)}\n`;
   return {
@@ -121,5 +121,5 @@ function inlineCode(text: string): string {
 }
 
 function longestTicks(text: string): number {
-  return Math.max(0, ...(text.match(/`+/g) ?? []).map((ticks) => ticks.length));
+  return (text.match(/`+/g) ?? []).reduce((most, ticks) => Math.max(most, ticks.length), 0);
 }

@@ -142,11 +142,11 @@ export function textInside(element: HTMLElement): string {
       : unslottedChildren(container)
           .map((node) => node.textContent ?? '')
           .join('');
-  const lines = foldLineEnds(text).split('\n');
-  while (lines.length > 0 && lines[0]?.trim() === '') lines.shift();
-  while (lines.length > 0 && lines.at(-1)?.trim() === '') lines.pop();
-  const indents = lines.filter((line) => line.trim() !== '').map((line) => line.length - line.trimStart().length);
-  const indent = indents.length === 0 ? 0 : Math.min(...indents);
+  const isWritten = (line: string): boolean => line.trim() !== '';
+  const all = foldLineEnds(text).split('\n');
+  const lines = all.slice(Math.max(0, all.findIndex(isWritten)), all.findLastIndex(isWritten) + 1);
+  const indentOf = (line: string): number => (isWritten(line) ? line.length - line.trimStart().length : Infinity);
+  const indent = lines.reduce((least, line) => Math.min(least, indentOf(line)), Infinity);
   return lines.map((line) => line.slice(indent)).join('\n');
 }
 
