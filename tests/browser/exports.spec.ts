@@ -167,6 +167,7 @@ test('the printed sheet names the program, the start and the clamping of the bla
   await page
     .locator('gcode-playground')
     .evaluate((element) => element.setAttribute('setup', '{"stock":{"diameter":40,"length":60,"grip":25}}'));
+  await expect(page.getByRole('button', { name: /Ø40×60/ })).toBeVisible();
   await page.locator('gcode-playground').evaluate((element) => Reflect.get(element, 'settled') as Promise<number>);
   await editor(page).focus();
   await page.keyboard.press('Control+P');
