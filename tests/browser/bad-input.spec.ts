@@ -53,14 +53,12 @@ test('the page handles a program of 200,000 lines inside the element, with as ma
   await stillWorks(page);
 });
 
-chromiumTest('long texts are searched for comments, numbers and backticks in linear time', async () => {
-  const [{ searchWords }, { makeFixture, reportText }, { REPORT_WORDS }] = await Promise.all([
-    import('../../www/src/page/own-programs'),
+chromiumTest('a report of a long text is made in linear time', async () => {
+  const [{ makeFixture, reportText }, { REPORT_WORDS }] = await Promise.all([
     import('../../www/src/page/report'),
     import('../../www/src/page/report-words'),
   ]);
   const start = performance.now();
-  expect(searchWords(`${'('.repeat(49_000)}\nG71 M3`)).toBe('G71 M3');
   const report = {
     text: `${'\n'.repeat(300_000)}${'`a'.repeat(300_000)}\nO12\n`,
     setup: '{}',

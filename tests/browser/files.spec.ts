@@ -85,7 +85,7 @@ test('a stray character in a pasted program is reported in one line, which opens
   await page.getByRole('button', { name: 'Clean it…' }).click();
   await expect(dialog).toBeVisible();
   await dialog.getByRole('button', { name: 'Take this program' }).click();
-  expect(await value(page)).toBe(text.replace('，', ''));
+  await expect.poll(() => value(page)).toBe(text.replace('，', ''));
 });
 
 test('the time is shown before playing, and a table lists the work of each tool', async ({ page }) => {

@@ -168,3 +168,9 @@ test('a program from a file is added beside one with the same id and another tex
   const back = rules.parseExportFile(rules.toExportFile([filed]));
   expect(back).toEqual({ kind: 'programs', programs: [filed], unreadable: 0 });
 });
+
+test('the words for the search are found in linear time', () => {
+  const start = performance.now();
+  expect(rules.searchWords(`${'('.repeat(49_000)}\nG71 M3`)).toBe('G71 M3');
+  expect(performance.now() - start).toBeLessThan(1000);
+});

@@ -70,9 +70,9 @@ test('only the pasted text is replaced', async ({ page }) => {
   await editor(page).focus();
   await page.keyboard.press('Control+V');
   await dialog(page).getByRole('button', { name: 'Take this program' }).click();
-  expect(await value(page)).toBe(
-    'O9\nM30\nO8234\nN10 G50 X100.0 Z100.0;\nN30 G00 X85.0 Z5.0;\nN40 G94 X20.0 Z-3 F200;\nN90 M30;\n',
-  );
+  await expect
+    .poll(() => value(page))
+    .toBe('O9\nM30\nO8234\nN10 G50 X100.0 Z100.0;\nN30 G00 X85.0 Z5.0;\nN40 G94 X20.0 Z-3 F200;\nN90 M30;\n');
 });
 
 test('a plain program is pasted without a message, and a text without programs is reported as such', async ({
