@@ -1,7 +1,7 @@
 // Exported files: each kind is chosen from the menu "Share" and has the expected content.
 import { expect, test, type Page } from './engines';
 import { readFileSync } from 'node:fs';
-import { choose, editor, motionCount, open, openFile, openMenu, status, type } from './page';
+import { choose, editor, motionCount, open, openFile, openMenu, status, titleText, type } from './page';
 
 const button = (page: Page) => page.getByRole('button', { name: 'Share' });
 const menu = (page: Page) => page.getByRole('menu', { name: 'Share' });
@@ -164,10 +164,12 @@ test('the printed sheet names the program, the start and the clamping of the bla
   });
   await open(page);
   await openFile(page, 'shaft.nc', Buffer.from('O0042 (SHAFT)\nT0101\nG97 S800 M03\nG00 X42 Z2\nG01 Z-9 F0.2\nM30\n'));
+  // The page sets the setup of the opened program together with its title.
+  await expect(titleText(page)).toHaveText('shaft.nc');
   await page
     .locator('gcode-playground')
-    .evaluate((element) => element.setAttribute('setup', '{"stock":{"diameter":40,"length":60,"grip":25}}'));
-  await expect(page.getByRole('button', { name: /Ø40×60/ })).toBeVisible();
+    .evaluate((element) => element.setAttribute('setup', '{"stock":{"diameter":46,"length":60,"grip":25}}'));
+  await expect(page.getByRole('button', { name: /Ø46×60/ })).toBeVisible();
   await page.locator('gcode-playground').evaluate((element) => Reflect.get(element, 'settled') as Promise<number>);
   await editor(page).focus();
   await page.keyboard.press('Control+P');

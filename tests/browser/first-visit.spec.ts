@@ -2,7 +2,7 @@
 //
 // The program of the lesson runs from X100 Z100 to X32 Z2, round a rectangle (X26, Z-30, X32, Z2), and by X100 back to
 // the start. Its bar is Ø30 from Z-60 to Z0; the jaws clamp 20 mm of it and are 40 mm long across the axis.
-import { chromiumTest, expect, test, type BasicPage, type ChromiumPage } from './engines';
+import { chromiumTest, expect, test, type BasicPage } from './engines';
 import {
   chip,
   choose,
@@ -10,6 +10,7 @@ import {
   examples,
   goTo,
   locate,
+  newPhonePage,
   open,
   openFirstVisit,
   play,
@@ -209,17 +210,10 @@ test('only first lessons have names', async ({ page }) => {
 });
 
 chromiumTest('a small drawing shows only the names that have room', async ({ browser, baseURL }) => {
-  const context = await browser.newContext({
-    ...(baseURL === undefined ? {} : { baseURL }),
-    viewport: { width: 390, height: 844 },
-    isMobile: true,
-    hasTouch: true,
-    locale: 'en-US',
-  });
-  const page = (await context.newPage()) as ChromiumPage;
+  const page = await newPhonePage(browser, baseURL);
   await openFirstVisit(page);
   // The drawing is fitted to the part: the start point is outside.
   await expectNames(page, 'chuck');
   await expectNothingCovered(page, PATH);
-  await context.close();
+  await page.context().close();
 });

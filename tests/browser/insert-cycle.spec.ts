@@ -1,7 +1,7 @@
 // "Insert cycle…": offered in a blank line by the help at the cursor. A card with a figure inserts the whole cycle, and
 // Tab leads through its fields.
-import { chromiumTest, expect, test, type BasicPage, type ChromiumPage, type Locator } from './engines';
-import { atCursor, chooseLanguage, editor, goTo, open, selected, type, value } from './page';
+import { chromiumTest, expect, test, type BasicPage, type Locator } from './engines';
+import { atCursor, chooseLanguage, editor, goTo, newPhonePage, open, selected, type, value } from './page';
 
 const HEAD = 'O1\nT0101\nG97 G99 S600 M03\nG00 X52 Z2\n';
 const INSERT = /^(Insert cycle|插入循环|Вставить цикл)…$/;
@@ -192,15 +192,8 @@ test('the dialog is not loaded before it is opened', async ({ page }) => {
 });
 
 chromiumTest('a phone offers it above the keyboard', async ({ browser, baseURL }, info) => {
-  const context = await browser.newContext({
-    ...(baseURL === undefined ? {} : { baseURL }),
-    // With the keyboard open.
-    viewport: { width: 390, height: 510 },
-    isMobile: true,
-    hasTouch: true,
-    locale: 'ru-RU',
-  });
-  const page = (await context.newPage()) as ChromiumPage;
+  // With the keyboard open.
+  const page = await newPhonePage(browser, baseURL, { height: 510, locale: 'ru-RU' });
   await open(page);
   await page.getByRole('textbox', { name: 'Программа' }).tap();
   await type(page, HEAD);
@@ -226,5 +219,5 @@ chromiumTest('a phone offers it above the keyboard', async ({ browser, baseURL }
   await expect(next).toBeVisible();
   await next.tap();
   await expect(next).toBeHidden();
-  await context.close();
+  await page.context().close();
 });

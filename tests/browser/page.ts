@@ -1,5 +1,6 @@
 // Helpers of the browser tests for the page: roles, labels, and the element's one method for automation.
-import { expect, type BasicPage, type Locator } from './engines';
+import type { Browser } from '@playwright/test';
+import { expect, type BasicPage, type ChromiumPage, type Locator } from './engines';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -40,6 +41,23 @@ const TABS = {
 
 export const tab = (page: BasicPage, which: keyof typeof TABS): Locator => page.getByRole('tab', { name: TABS[which] });
 export const problems = (page: BasicPage): Locator => page.getByRole('region', { name: /^(Problems|问题|Замечания)$/ });
+
+/** A page of a phone, 390 CSS pixels wide; with its keyboard open the height is 510. The caller closes its context. */
+export async function newPhonePage(
+  browser: Browser,
+  baseURL: string | undefined,
+  { height = 844, locale = 'en-US' } = {},
+): Promise<ChromiumPage> {
+  const context = await browser.newContext({
+    ...(baseURL === undefined ? {} : { baseURL }),
+    viewport: { width: 390, height },
+    deviceScaleFactor: 2,
+    isMobile: true,
+    hasTouch: true,
+    locale,
+  });
+  return (await context.newPage()) as ChromiumPage;
+}
 
 /**
  * Opens the page and waits until its program has run and its part and messages are shown. Without a hash, the program is

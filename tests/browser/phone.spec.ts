@@ -1,11 +1,12 @@
 // On a phone and in dark mode: touch, a small screen and the system's colour scheme, which only Playwright can emulate.
 // The screenshots in test-results are for manual review, not goldens.
-import { chromiumTest as test, type ChromiumPage, expect } from './engines';
+import { chromiumTest as test, expect } from './engines';
 import {
   choose,
   drawing,
   editor,
   linesInView,
+  newPhonePage,
   open,
   play,
   problems,
@@ -21,15 +22,7 @@ test('a phone shows title, drawing, playback, program and tabs together, with no
   browser,
   baseURL,
 }, info) => {
-  const context = await browser.newContext({
-    ...(baseURL === undefined ? {} : { baseURL }),
-    viewport: { width: 390, height: 844 },
-    deviceScaleFactor: 2,
-    isMobile: true,
-    hasTouch: true,
-    locale: 'en-US',
-  });
-  const page = (await context.newPage()) as ChromiumPage;
+  const page = await newPhonePage(browser, baseURL);
   await open(page);
   for (const part of [title(page), drawing(page), play(page), editor(page), tab(page, 'problems')]) {
     await expect(part).toBeInViewport();
@@ -57,22 +50,15 @@ test('a phone shows title, drawing, playback, program and tabs together, with no
   // A finger covers the place that it points at.
   await page.getByRole('img', { name: /tool path/ }).tap({ position: { x: 200, y: 60 } });
   await expect(page.locator('[part~=pointer]')).toBeHidden();
-  await context.close();
+  await page.context().close();
 });
 
 test('above the keyboard of a phone are a row of keys and at least 8 lines of the program', async ({
   browser,
   baseURL,
 }, info) => {
-  const context = await browser.newContext({
-    ...(baseURL === undefined ? {} : { baseURL }),
-    // The keyboard takes 334 of 844 pixels; the page gets the rest.
-    viewport: { width: 390, height: 510 },
-    isMobile: true,
-    hasTouch: true,
-    locale: 'en-US',
-  });
-  const page = (await context.newPage()) as ChromiumPage;
+  // The keyboard takes 334 of 844 pixels; the page gets the rest.
+  const page = await newPhonePage(browser, baseURL, { height: 510 });
   await open(page);
   const row = page.getByRole('toolbar', { name: 'Keys' });
   await expect(row).toBeHidden();
@@ -100,21 +86,14 @@ test('above the keyboard of a phone are a row of keys and at least 8 lines of th
   await expect(editor(page)).toBeFocused();
   await row.getByRole('button', { name: 'Undo' }).tap();
   await expect.poll(() => value(page)).not.toContain('GX-.;');
-  await context.close();
+  await page.context().close();
 });
 
 test('on a phone a blank line offers a cycle under the tab Program, also with no keyboard on the screen', async ({
   browser,
   baseURL,
 }, info) => {
-  const context = await browser.newContext({
-    ...(baseURL === undefined ? {} : { baseURL }),
-    viewport: { width: 390, height: 844 },
-    isMobile: true,
-    hasTouch: true,
-    locale: 'en-US',
-  });
-  const page = (await context.newPage()) as ChromiumPage;
+  const page = await newPhonePage(browser, baseURL);
   await open(page);
   const insert = page.getByRole('button', { name: 'Insert cycle…' });
   await expect(insert).toBeHidden();
@@ -127,7 +106,7 @@ test('on a phone a blank line offers a cycle under the tab Program, also with no
   await insert.tap();
   await page.getByRole('dialog').getByRole('button', { name: /^G71/ }).tap();
   await expect.poll(() => value(page)).toContain('G71 U2 R1');
-  await context.close();
+  await page.context().close();
 });
 
 test('light and dark mode follow the system or the setting', async ({ page }, info) => {
@@ -158,15 +137,7 @@ test('the table of codes is shown in Chinese and Russian, in dark mode and on a 
   await expect(page.getByRole('dialog', { name: '支持的代码' })).toContainText('快速定位');
   await page.screenshot({ path: info.outputPath('codes-dark-zh.png') });
 
-  const context = await browser.newContext({
-    ...(baseURL === undefined ? {} : { baseURL }),
-    viewport: { width: 390, height: 844 },
-    deviceScaleFactor: 2,
-    isMobile: true,
-    hasTouch: true,
-    locale: 'ru-RU',
-  });
-  const phone = (await context.newPage()) as ChromiumPage;
+  const phone = await newPhonePage(browser, baseURL, { locale: 'ru-RU' });
   await open(phone);
   // On a phone "Help" is an item of the menu "More".
   await expect(phone.getByRole('button', { name: 'Справка', exact: true })).toBeHidden();
@@ -193,7 +164,7 @@ test('the table of codes is shown in Chinese and Russian, in dark mode and on a 
   await expect(table.getByText('FANUC B: G77')).toBeVisible();
   await phone.screenshot({ path: info.outputPath('codes-phone-filter.png') });
   expect(await phone.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
-  await context.close();
+  await phone.context().close();
 });
 
 test('the page of a rule fits on a phone', async ({ page }) => {

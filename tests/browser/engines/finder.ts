@@ -48,9 +48,10 @@ function fits(wanted: Wanted, text: string): boolean {
   return folded(text).toLowerCase().includes(folded(wanted.text).toLowerCase());
 }
 
+/** Light children come before those of the shadow root, as in the locators of Playwright. */
 const childrenOf = (node: ParentNode): Element[] => [
-  ...(node instanceof Element && node.shadowRoot ? node.shadowRoot.children : []),
   ...node.children,
+  ...(node instanceof Element && node.shadowRoot ? node.shadowRoot.children : []),
 ];
 
 function* below(node: ParentNode): Generator<Element> {

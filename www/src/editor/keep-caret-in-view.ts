@@ -18,7 +18,9 @@ export const keepCaretInView = ViewPlugin.fromClass(
         const before = height;
         height = view.scrollDOM.clientHeight;
         const { head } = view.state.selection.main;
-        const caret = height < before && view.hasFocus ? view.coordsAtPos(head) : null;
+        // Not `view.hasFocus`: in WebKit a window has no focus while it changes its size.
+        const focused = view.root.activeElement === view.contentDOM;
+        const caret = height < before && focused ? view.coordsAtPos(head) : null;
         if (caret === null) return;
         const bottom = caret.bottom - view.scrollDOM.getBoundingClientRect().top;
         if (bottom > before || bottom + MARGIN_PX <= height) return;
