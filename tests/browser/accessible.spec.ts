@@ -2,10 +2,10 @@
 // and of the reference, in each language, in light and dark.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { chromiumTest as test, type ChromiumPage, expect } from './engines';
+import { chromiumTest as test, type ChromiumPage, expect, nightUnless } from './engines';
 import { makeLink, EMPTY_SHARED } from '../../www/src/files/shared-link';
-import { manual, openHtml, settled } from './embedded';
-import { chip, choose, open, openMenu, openProblems, type } from './page';
+import { manual, openHtml } from './embedded';
+import { chip, choose, open, openMenu, openProblems, settled, type } from './page';
 
 const AXE = readFileSync(join(__dirname, '../../www/node_modules/axe-core/axe.min.js'), 'utf8');
 const PROGRAM = 'O1\n/G50 S2000\nT0101\nG96 S150 M3\nG0 X52 Z2\nG90 X48 Z-30 F0.2\nX44\nX\nM01\nG0 X200 Z200\nM30\n';
@@ -84,143 +84,149 @@ const OPENERS: Readonly<Record<string, (page: ChromiumPage) => Promise<void>>> =
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
   for (const colorScheme of ['light', 'dark'] as const) {
-    test(`axe finds nothing on the page and in its dialogs: ${locale}, ${colorScheme}`, {
-      tag: locale === 'en' && colorScheme === 'light' ? [] : '@night',
-    }, async ({ browser, baseURL }) => {
-      test.setTimeout(120_000);
-      // axe adds a style sheet, which the policies of the pages block.
-      const context = await browser.newContext({
-        bypassCSP: true,
-        ...(baseURL === undefined ? {} : { baseURL }),
-        locale,
-        colorScheme,
-        viewport: { width: 1440, height: 900 },
-      });
-      const page = (await context.newPage()) as ChromiumPage;
-      await open(page);
-      const wrong = await violations(page, 'first');
-      await type(page, PROGRAM);
-      // Completions would open and close while axe runs; `completion` has its own tests. The list may open after the
-      // first Escape, so wait until it stays closed.
-      await expect(async () => {
-        await page.keyboard.press('Escape');
-        await page.waitForTimeout(500);
-        expect(await page.getByRole('listbox').count()).toBe(0);
-      }).toPass();
-      await openProblems(page);
-      wrong.push(...(await violations(page, 'with problems')));
-      for (const [what, openIt] of Object.entries(OPENERS)) {
-        await openIt(page);
-        const shown = page.getByRole('dialog').or(page.getByRole('menu')).first();
-        await expect(shown, what).toBeVisible();
-        wrong.push(...(await violations(page, what)));
-        if (what === 'own programs') {
-          await page.locator('.own-programs .more-of').first().click();
-          wrong.push(...(await violations(page, 'what can be done with a program')));
-          await page.locator('.own-programs .acts button').nth(2).click();
-          wrong.push(...(await violations(page, 'earlier states')));
-        }
-        for (let i = 0; i < 3 && (await page.getByRole('dialog').or(page.getByRole('menu')).count()) > 0; i++)
+    test(
+      `axe finds nothing on the page and in its dialogs: ${locale}, ${colorScheme}`,
+      nightUnless(locale === 'en' && colorScheme === 'light'),
+      async ({ browser, baseURL }) => {
+        test.setTimeout(120_000);
+        // axe adds a style sheet, which the policies of the pages block.
+        const context = await browser.newContext({
+          bypassCSP: true,
+          ...(baseURL === undefined ? {} : { baseURL }),
+          locale,
+          colorScheme,
+          viewport: { width: 1440, height: 900 },
+        });
+        const page = (await context.newPage()) as ChromiumPage;
+        await open(page);
+        const wrong = await violations(page, 'first');
+        await type(page, PROGRAM);
+        // Completions would open and close while axe runs; `completion` has its own tests. The list may open after the
+        // first Escape, so wait until it stays closed.
+        await expect(async () => {
           await page.keyboard.press('Escape');
-        await expect(page.getByRole('dialog').or(page.getByRole('menu')), what).toHaveCount(0);
-      }
-      await choose(page, 'more', /^(Compare with another version|与其他版本比较|Сравнить с другой версией)…$/);
-      await page.getByRole('dialog').getByRole('textbox').fill(PROGRAM.replace('X48', 'X47'));
-      await page
-        .getByRole('dialog')
-        .getByRole('button', { name: /^(Compare|比较|Сравнить)$/ })
-        .click();
-      await expect(
-        page.getByRole('dialog').getByRole('img', { name: /^(Tool paths|两者的刀具轨迹|Траектории)/ }),
-      ).toBeVisible();
-      wrong.push(...(await violations(page, 'comparison')));
-      await page.keyboard.press('Escape');
-      await page.evaluate((hash) => void (location.hash = hash), await linked('task'));
-      await page
-        .getByRole('button', { name: /^(Copy link to hand in|复制用于提交的链接|Копировать ссылку для сдачи)$/ })
-        .click();
-      await page.getByRole('button', { name: /^(Show solution|显示答案|Показать решение)$/ }).click();
-      await expect(page.locator('#solution a')).toHaveAttribute('href', /#share/);
-      wrong.push(...(await violations(page, 'a task')));
-      await page.evaluate((hash) => void (location.hash = hash), await linked('answer'));
-      await expect(page.locator('#link-bar bdi')).toBeVisible();
-      wrong.push(...(await violations(page, 'an answer')));
-      await page.setViewportSize({ width: 390, height: 844 });
-      wrong.push(...(await violations(page, 'on a phone')));
-      for (const path of [
-        `rules/${locale}/index.html`,
-        `rules/${locale}/number-missing.html`,
-        `learn/${locale}/feed.html`,
-        'docs/index.html',
-        'docs/element.html',
-      ]) {
-        const answer = await page.goto(`./${path}`);
-        expect(answer?.ok(), path).toBe(true);
-        wrong.push(...(await violations(page, path)));
-      }
-      expect(wrong).toEqual([]);
-      await context.close();
-    });
+          await page.waitForTimeout(500);
+          expect(await page.getByRole('listbox').count()).toBe(0);
+        }).toPass();
+        await openProblems(page);
+        wrong.push(...(await violations(page, 'with problems')));
+        for (const [what, openIt] of Object.entries(OPENERS)) {
+          await openIt(page);
+          const shown = page.getByRole('dialog').or(page.getByRole('menu')).first();
+          await expect(shown, what).toBeVisible();
+          wrong.push(...(await violations(page, what)));
+          if (what === 'own programs') {
+            await page.locator('.own-programs .more-of').first().click();
+            wrong.push(...(await violations(page, 'what can be done with a program')));
+            await page.locator('.own-programs .acts button').nth(2).click();
+            wrong.push(...(await violations(page, 'earlier states')));
+          }
+          for (let i = 0; i < 3 && (await page.getByRole('dialog').or(page.getByRole('menu')).count()) > 0; i++)
+            await page.keyboard.press('Escape');
+          await expect(page.getByRole('dialog').or(page.getByRole('menu')), what).toHaveCount(0);
+        }
+        await choose(page, 'more', /^(Compare with another version|与其他版本比较|Сравнить с другой версией)…$/);
+        await page.getByRole('dialog').getByRole('textbox').fill(PROGRAM.replace('X48', 'X47'));
+        await page
+          .getByRole('dialog')
+          .getByRole('button', { name: /^(Compare|比较|Сравнить)$/ })
+          .click();
+        await expect(
+          page.getByRole('dialog').getByRole('img', { name: /^(Tool paths|两者的刀具轨迹|Траектории)/ }),
+        ).toBeVisible();
+        wrong.push(...(await violations(page, 'comparison')));
+        await page.keyboard.press('Escape');
+        await page.evaluate((hash) => void (location.hash = hash), await linked('task'));
+        await page
+          .getByRole('button', { name: /^(Copy link to hand in|复制用于提交的链接|Копировать ссылку для сдачи)$/ })
+          .click();
+        await page.getByRole('button', { name: /^(Show solution|显示答案|Показать решение)$/ }).click();
+        await expect(page.locator('#solution a')).toHaveAttribute('href', /#share/);
+        wrong.push(...(await violations(page, 'a task')));
+        await page.evaluate((hash) => void (location.hash = hash), await linked('answer'));
+        await expect(page.locator('#link-bar bdi')).toBeVisible();
+        wrong.push(...(await violations(page, 'an answer')));
+        await page.setViewportSize({ width: 390, height: 844 });
+        wrong.push(...(await violations(page, 'on a phone')));
+        for (const path of [
+          `rules/${locale}/index.html`,
+          `rules/${locale}/number-missing.html`,
+          `learn/${locale}/feed.html`,
+          'docs/index.html',
+          'docs/element.html',
+        ]) {
+          const answer = await page.goto(`./${path}`);
+          expect(answer?.ok(), path).toBe(true);
+          wrong.push(...(await violations(page, path)));
+        }
+        expect(wrong).toEqual([]);
+        await context.close();
+      },
+    );
   }
 }
 
 for (const colorScheme of ['light', 'dark'] as const) {
-  test(`axe finds nothing in a manual with an element of each kind, and Tab reaches all of them in order: ${colorScheme}`, async ({
-    page,
-  }) => {
-    const kinds = [
-      'view="all" caption="Figure 1"',
-      'view="all" readonly lines="3-8" highlight="4" caption="Figure 2"',
-      'view="picture" caption="Figure 3"',
-      'view="playback" step="3" caption="Figure 4"',
-      'view="code" caption="Figure 5"',
-    ];
-    const elements = kinds.map(
-      (attributes) =>
-        `<gcode-playground ${attributes} language="en"><pre slot="fallback">A</pre><pre>${PROGRAM}G999\n</pre></gcode-playground>`,
-    );
-    await openHtml(
-      page,
-      manual(
-        `<main><h1>A manual</h1>${elements.join('')}</main>`,
-        `<style>:root { color-scheme: ${colorScheme}; background: Canvas; color: CanvasText; }</style>`,
-      ),
-    );
-    for (let which = 0; which < kinds.length; which++) await settled(page, which);
-    expect(await violations(page, 'manual')).toEqual([]);
-    // Tab moves through the elements in order; each focused control has a name.
-    const stops: { element: number; name: string }[] = [];
-    for (let at = 0; at < 200; at++) {
-      await page.keyboard.press('Tab');
-      const stop = await page.evaluate(() => {
-        const host = document.activeElement;
-        const inner = host?.shadowRoot?.activeElement;
-        if (inner === null || inner === undefined) return undefined;
-        const name =
-          inner.getAttribute('aria-label') ??
-          (inner.getAttribute('aria-labelledby') !== null ? 'labelled' : inner.textContent) ??
-          '';
-        return { element: [...document.querySelectorAll('gcode-playground')].indexOf(host!), name: name.trim() };
-      });
-      if (stop === undefined) break;
-      stops.push(stop);
-    }
-    expect(stops.filter(({ name }) => name === '')).toEqual([]);
-    const order = stops.map(({ element }) => element);
-    expect(order).toEqual([...order].sort((a, b) => a - b));
-    expect(new Set(order)).toEqual(new Set([0, 1, 2, 3, 4]));
-    expect(stops.filter(({ element }) => element === 3).map(({ name }) => name.replace(/[.,(].*/, '').trim())).toEqual([
-      'Show the whole path',
-      'Drawing of the tool path',
-      'Previous motion',
-      'Play',
-      'Next motion',
-      'Position along the path',
-      'Speed and steps: all in 20 s',
-      'Show all',
-      'Zoom in',
-      'Zoom out',
-      'Open in the playground',
-    ]);
-  });
+  test(
+    `axe finds nothing in a manual with an element of each kind, and Tab reaches all of them in order: ${colorScheme}`,
+    nightUnless(colorScheme === 'light'),
+    async ({ page }) => {
+      const kinds = [
+        'view="all" caption="Figure 1"',
+        'view="all" readonly lines="3-8" highlight="4" caption="Figure 2"',
+        'view="picture" caption="Figure 3"',
+        'view="playback" step="3" caption="Figure 4"',
+        'view="code" caption="Figure 5"',
+      ];
+      const elements = kinds.map(
+        (attributes) =>
+          `<gcode-playground ${attributes} language="en"><pre slot="fallback">A</pre><pre>${PROGRAM}G999\n</pre></gcode-playground>`,
+      );
+      await openHtml(
+        page,
+        manual(
+          `<main><h1>A manual</h1>${elements.join('')}</main>`,
+          `<style>:root { color-scheme: ${colorScheme}; background: Canvas; color: CanvasText; }</style>`,
+        ),
+      );
+      for (let which = 0; which < kinds.length; which++) await settled(page, which);
+      expect(await violations(page, 'manual')).toEqual([]);
+      // Tab moves through the elements in order; each focused control has a name.
+      const stops: { element: number; name: string }[] = [];
+      for (let at = 0; at < 200; at++) {
+        await page.keyboard.press('Tab');
+        const stop = await page.evaluate(() => {
+          const host = document.activeElement;
+          const inner = host?.shadowRoot?.activeElement;
+          if (inner === null || inner === undefined) return undefined;
+          const name =
+            inner.getAttribute('aria-label') ??
+            (inner.getAttribute('aria-labelledby') !== null ? 'labelled' : inner.textContent) ??
+            '';
+          return { element: [...document.querySelectorAll('gcode-playground')].indexOf(host!), name: name.trim() };
+        });
+        if (stop === undefined) break;
+        stops.push(stop);
+      }
+      expect(stops.filter(({ name }) => name === '')).toEqual([]);
+      const order = stops.map(({ element }) => element);
+      expect(order).toEqual([...order].sort((a, b) => a - b));
+      expect(new Set(order)).toEqual(new Set([0, 1, 2, 3, 4]));
+      expect(
+        stops.filter(({ element }) => element === 3).map(({ name }) => name.replace(/[.,(].*/, '').trim()),
+      ).toEqual([
+        'Show the whole path',
+        'Drawing of the tool path',
+        'Previous motion',
+        'Play',
+        'Next motion',
+        'Position along the path',
+        'Speed and steps: all in 20 s',
+        'Show all',
+        'Zoom in',
+        'Zoom out',
+        'Open in the playground',
+      ]);
+    },
+  );
 }

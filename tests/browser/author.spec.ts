@@ -1,7 +1,7 @@
 // Attributes that the author of a manual sets on an element: visible parts, highlighted lines, position of the tool.
 import { expect, test, type BasicPage } from './engines';
-import { manual, openHtml, programOf, settled, type Playground } from './embedded';
-import { openMenu } from './page';
+import { manual, openHtml, programOf } from './embedded';
+import { openMenu, settled, type Playground } from './page';
 
 const PROGRAM = [
   'O0001',

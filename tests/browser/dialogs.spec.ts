@@ -1,7 +1,7 @@
 // Every dialog has the same shape: a title, a button that closes it, the main action last; Escape and a click outside
 // close it, too, and the focus returns to its opener. It fits into the window, and has no blank part under its contents.
 import { chromiumTest as test, expect, type Locator, type Page } from './engines';
-import { chip, choose, editor, open, title, type } from './page';
+import { chip, choose, editor, open, settled, title, type } from './page';
 
 interface Opened {
   readonly name: string | RegExp;
@@ -113,7 +113,7 @@ for (const { name, opener, open: openDialog, stays } of DIALOGS) {
     await page.setViewportSize({ width: 1440, height: 900 });
     await open(page);
     await type(page, PROGRAM);
-    await page.locator('gcode-playground').evaluate((element) => Reflect.get(element, 'settled') as Promise<number>);
+    await settled(page);
     // The completion list may still be open.
     await page.keyboard.press('Escape');
     const dialog = (page as Page).getByRole('dialog');

@@ -1,10 +1,6 @@
 // Pages with elements of the playground in them, as in a manual.
-import { expect, type BasicPage } from './engines';
-
-export interface Playground extends HTMLElement {
-  value: string;
-  readonly settled: Promise<number>;
-}
+import type { BasicPage } from './engines';
+import type { Playground } from './page';
 
 /**
  * A page of another site: empty and without a policy (served by www/vite.config.ts). The built element is two folders
@@ -36,15 +32,6 @@ export async function openInPieces(page: BasicPage, ...pieces: string[]): Promis
 /** The page with the script of the element in its head. */
 export function manual(body: string, head = ''): string {
   return `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>A manual</title>${SCRIPT}${head}</head><body>${body}</body></html>`;
-}
-
-/** Waits until an element has finished loading and rendering. */
-export async function settled(page: BasicPage, which = 0): Promise<void> {
-  await expect(page.locator('gcode-playground').nth(which)).toBeVisible();
-  await page
-    .locator('gcode-playground')
-    .nth(which)
-    .evaluate(async (element) => void (await (element as Playground).settled));
 }
 
 /** Clicks each button of an element once, and closes what opens. Returns the number of buttons. */

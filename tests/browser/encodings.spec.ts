@@ -1,5 +1,5 @@
 // Files from machines and old editors: they are decoded correctly, and saving gives the same bytes.
-import { expect, test, type Page } from './engines';
+import { expect, test, type Page, nightUnless } from './engines';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { choose, chooseLanguage, editor, open, openFile, status, value } from './page';
@@ -74,10 +74,14 @@ const ODD_FILES: [string, Buffer][] = [
 ];
 
 for (const [name, bytes] of ODD_FILES) {
-  test(`arbitrary bytes are saved unchanged: ${name}`, async ({ page }) => {
-    await openAlone(page, name, bytes);
-    expect((await save(page)).bytes.toString('hex')).toBe(bytes.toString('hex'));
-  });
+  test(
+    `arbitrary bytes are saved unchanged: ${name}`,
+    nightUnless(name === 'all-bytes.nc' || name === 'mixed.nc'),
+    async ({ page }) => {
+      await openAlone(page, name, bytes);
+      expect((await save(page)).bytes.toString('hex')).toBe(bytes.toString('hex'));
+    },
+  );
 }
 
 test('editing one word changes nothing else in the file', async ({ page }) => {

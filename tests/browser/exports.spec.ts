@@ -1,7 +1,7 @@
 // Exported files: each kind is chosen from the menu "Share" and has the expected content.
 import { expect, test, type Page } from './engines';
 import { readFileSync } from 'node:fs';
-import { choose, editor, motionCount, open, openFile, openMenu, status, titleText, type } from './page';
+import { choose, editor, motionCount, open, openFile, openMenu, settled, status, titleText, type } from './page';
 
 const button = (page: Page) => page.getByRole('button', { name: 'Share' });
 const menu = (page: Page) => page.getByRole('menu', { name: 'Share' });
@@ -170,7 +170,7 @@ test('the printed sheet names the program, the start and the clamping of the bla
     .locator('gcode-playground')
     .evaluate((element) => element.setAttribute('setup', '{"stock":{"diameter":46,"length":60,"grip":25}}'));
   await expect(page.getByRole('button', { name: /Ø46×60/ })).toBeVisible();
-  await page.locator('gcode-playground').evaluate((element) => Reflect.get(element, 'settled') as Promise<number>);
+  await settled(page);
   await editor(page).focus();
   await page.keyboard.press('Control+P');
   const printed = (): Promise<string> => page.evaluate(() => String(Reflect.get(window, 'printed')));

@@ -1,7 +1,7 @@
 // Files that fail to load, at the start and later: a notice with "Try again" stays until everything works, no loading
 // state is shown meanwhile, an outdated picture is labelled, and the page works once the files are available.
-import { expect, test, type Page } from './engines';
-import { chip, choose, chooseLanguage, editor, type } from './page';
+import { expect, test, type Page, nightUnless } from './engines';
+import { chip, choose, chooseLanguage, editor, settled, type } from './page';
 import { DIST, storedSite, type Refusal, type StoredSite } from './stored-site';
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -92,14 +92,12 @@ async function press(page: Page): Promise<void> {
 /** Browsers differ most in these two: a WebAssembly module, and a script imported by another script. */
 const IN_EVERY_ENGINE = ['the core module', 'the editor'];
 
-/** One kind of failure per file runs by day; the others run at night. */
-const tagOf = (how: Refusal, everyEngine: boolean): string[] =>
-  how !== 'missing' ? ['@night'] : everyEngine ? [] : ['@one-engine'];
+/** Without `--all`, one kind of failure of these two runs. */
+const ofKind = (how: Refusal, isInEveryEngine: boolean) => nightUnless(how === 'missing' && isInEveryEngine);
 
 for (const [name, file] of Object.entries(FILES)) {
   for (const how of ['missing', 'closed', 'corrupted'] as const) {
-    const tag = tagOf(how, IN_EVERY_ENGINE.includes(name));
-    test(`${name} is ${how} when the page starts`, { tag }, async ({ page }) => {
+    test(`${name} is ${how} when the page starts`, ofKind(how, IN_EVERY_ENGINE.includes(name)), async ({ page }) => {
       const site = await storedSite();
       site.refuse(file.pattern, how);
       await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
@@ -131,10 +129,7 @@ test('the network returns while the editor is being retried', async ({ page, eng
 });
 
 for (const how of ['missing', 'closed', 'corrupted'] as const) {
-  test(`the library of the editor is ${how} when the page starts`, { tag: tagOf(how, true) }, async ({
-    page,
-    engine,
-  }) => {
+  test(`the library of the editor is ${how} when the page starts`, ofKind(how, true), async ({ page, engine }) => {
     const site = await storedSite();
     const library = { pattern: codeMirror(), message: 'The editor could not be loaded', status: /^2 motions/ };
     site.refuse(library.pattern, how);
@@ -176,9 +171,7 @@ async function open(page: Page, site: StoredSite): Promise<void> {
   );
   await page.goto(`${site.address}#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
   await works(page, 2);
-  await page
-    .locator('gcode-playground')
-    .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  await settled(page);
 }
 
 /** Throws an uncaught error in the worker. */
@@ -210,7 +203,7 @@ test('after an error of the worker, the notice stays until a program has run', a
 });
 
 for (const how of ['missing', 'closed', 'corrupted'] as const) {
-  test(`an error of the worker while its script is ${how}`, { tag: tagOf(how, false) }, async ({ page }) => {
+  test(`an error of the worker while its script is ${how}`, ofKind(how, false), async ({ page }) => {
     const site = await storedSite();
     const worker = FILES['the script of the worker']!;
     await open(page, site);
@@ -237,7 +230,7 @@ const LATER = {
 
 for (const [name, { program, motions }] of Object.entries(LATER)) {
   for (const how of ['missing', 'closed', 'corrupted'] as const) {
-    test(`the part for ${name} is ${how}`, { tag: tagOf(how, false) }, async ({ page }) => {
+    test(`the part for ${name} is ${how}`, ofKind(how, false), async ({ page }) => {
       const site = await storedSite();
       const pattern = /\/early-[\w-]{8}\.wasm$/;
       site.refuse(pattern, how);

@@ -1,6 +1,6 @@
 // Ten questions of a student in the first week, written before the help existed. Each is answered on the page in at
 // most two actions: a click on the word and one on "At the cursor".
-import { expect, test } from './engines';
+import { expect, test, nightUnless } from './engines';
 import { atCursor, chooseLanguage, open, type } from './page';
 
 const SHAFT = [
@@ -102,20 +102,24 @@ const QUESTIONS: readonly Asked[] = [
 ];
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
-  test(`ten questions of the first week are answered in two actions, ${locale}`, async ({ page }) => {
-    await open(page);
-    await chooseLanguage(page, locale);
-    await type(page, SHAFT);
-    for (const { line, word, answer } of QUESTIONS) {
-      await page
-        .locator('.cm-line')
-        .nth(line - 1)
-        .getByText(word, { exact: true })
-        .click();
-      // Close it again for the next question.
-      await atCursor(page).locator('.at-cursor-toggle').click();
-      await expect(atCursor(page)).toContainText(answer[locale]);
-      await atCursor(page).locator('.at-cursor-toggle').click();
-    }
-  });
+  test(
+    `ten questions of the first week are answered in two actions, ${locale}`,
+    nightUnless(locale === 'en'),
+    async ({ page }) => {
+      await open(page);
+      await chooseLanguage(page, locale);
+      await type(page, SHAFT);
+      for (const { line, word, answer } of QUESTIONS) {
+        await page
+          .locator('.cm-line')
+          .nth(line - 1)
+          .getByText(word, { exact: true })
+          .click();
+        // Close it again for the next question.
+        await atCursor(page).locator('.at-cursor-toggle').click();
+        await expect(atCursor(page)).toContainText(answer[locale]);
+        await atCursor(page).locator('.at-cursor-toggle').click();
+      }
+    },
+  );
 }

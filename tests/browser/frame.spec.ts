@@ -1,7 +1,7 @@
 // The frame of the page: how many controls are visible, how much of the window is program and drawing, and that no two
 // controls overlap.
-import { chromiumTest as test, expect, type Page } from './engines';
-import { linesInView, open, openProblems, play, type } from './page';
+import { chromiumTest as test, expect, type Page, nightUnless } from './engines';
+import { linesInView, open, openProblems, play, settled, type } from './page';
 
 /** What is measured in a window: controls in view, and the parts of the window that are program and drawing. */
 interface Measured {
@@ -103,27 +103,29 @@ for (const { name, viewport, hasTouch, controls, code, drawing } of WINDOWS) {
       test.describe(locale, () => {
         test.use({ locale });
 
-        test(`few controls, and most of the window is program and drawing, ${locale}`, async ({ page }) => {
-          await open(page);
-          const check = async (state: string): Promise<void> => {
-            const measured = await measure(page);
-            expect(measured.controls.length, `${state}: ${measured.controls.join(' · ')}`).toBeLessThanOrEqual(
-              controls,
-            );
-            expect(measured.overlaps, state).toEqual([]);
-            expect(measured.code, `${state}: program`).toBeGreaterThanOrEqual(code);
-            expect(measured.drawing, `${state}: drawing`).toBeGreaterThanOrEqual(drawing);
-            if (name === '1440') expect(measured.firstLine, state).toBeLessThanOrEqual(100);
-          };
-          await check('example');
-          await type(page, OWN);
-          await page
-            .locator('gcode-playground')
-            .evaluate((element) => Reflect.get(element, 'settled') as Promise<number>);
-          await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
-          await expect(page.locator('.cm-focused')).toHaveCount(0);
-          await check('own program');
-        });
+        test(
+          `few controls, and most of the window is program and drawing, ${locale}`,
+          nightUnless(locale === 'en-US' || name === '1440'),
+          async ({ page }) => {
+            await open(page);
+            const check = async (state: string): Promise<void> => {
+              const measured = await measure(page);
+              expect(measured.controls.length, `${state}: ${measured.controls.join(' · ')}`).toBeLessThanOrEqual(
+                controls,
+              );
+              expect(measured.overlaps, state).toEqual([]);
+              expect(measured.code, `${state}: program`).toBeGreaterThanOrEqual(code);
+              expect(measured.drawing, `${state}: drawing`).toBeGreaterThanOrEqual(drawing);
+              if (name === '1440') expect(measured.firstLine, state).toBeLessThanOrEqual(100);
+            };
+            await check('example');
+            await type(page, OWN);
+            await settled(page);
+            await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+            await expect(page.locator('.cm-focused')).toHaveCount(0);
+            await check('own program');
+          },
+        );
       });
     }
   });

@@ -1,7 +1,7 @@
 // The host page of an element: its styles, direction and colours, and texts that look like scripts.
 import { expect, test, type BasicPage } from './engines';
-import { FOREIGN, manual, openHtml, programOf, settled, type Playground } from './embedded';
-import { chip } from './page';
+import { FOREIGN, manual, openHtml, programOf } from './embedded';
+import { chip, settled, type Playground } from './page';
 
 const PROGRAM = '#100=#1+5;\nG97 S800 M03\nG00 X52 Z2\nG01 X40 F0.2\nZ-20\nX54\n';
 

@@ -1,6 +1,6 @@
 // "Insert cycle…": offered in a blank line by the help at the cursor. A card with a figure inserts the whole cycle, and
 // Tab leads through its fields.
-import { chromiumTest, expect, test, type BasicPage, type Locator } from './engines';
+import { chromiumTest, expect, test, type BasicPage, type Locator, nightUnless } from './engines';
 import { atCursor, chooseLanguage, editor, goTo, newPhonePage, open, selected, type, value } from './page';
 
 const HEAD = 'O1\nT0101\nG97 G99 S600 M03\nG00 X52 Z2\n';
@@ -34,32 +34,36 @@ const IN_WORDS = {
 } as const;
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
-  test(`a cycle is inserted by its card, and the help follows Tab through its fields, ${locale}`, async ({ page }) => {
-    const { name, depth, retract, allowance } = IN_WORDS[locale];
-    await open(page);
-    await chooseLanguage(page, locale);
-    await typeHead(page);
-    await insert(page).click();
-    await expect(card(page, 'G71')).toBeVisible();
-    const codes = await chooser(page)
-      .locator('.cycle-code')
-      .evaluateAll((codes) => codes.map(({ textContent }) => textContent));
-    expect(codes.toSorted()).toEqual(['G71', 'G72', 'G73', 'G74', 'G75', 'G76', 'G83', 'G90', 'G92', 'G94']);
-    expect(await chooser(page).getByRole('listitem').locator('svg').count()).toBe(codes.length);
-    await expect(card(page, 'G71')).toContainText(name);
-    await card(page, 'G71').click();
-    await expect(chooser(page)).toBeHidden();
-    await expect.poll(() => value(page)).toMatch(/X52 Z2\nG71 U2 R1\nG71 P10 Q20 U0\.4 W0\.1 F0\.25\nN10 G00 X\d/);
-    await expect(editor(page)).toBeFocused();
-    expect(await selected(page)).toBe('2');
-    await expect(atCursor(page)).toContainText(depth);
-    await page.keyboard.press('Tab');
-    await page.keyboard.type('0.8');
-    await expect(atCursor(page)).toContainText(retract);
-    await page.keyboard.press('Tab');
-    await expect(atCursor(page)).toContainText(allowance);
-    expect(await value(page)).toContain('\nG71 U2 R0.8\n');
-  });
+  test(
+    `a cycle is inserted by its card, and the help follows Tab through its fields, ${locale}`,
+    nightUnless(locale === 'en'),
+    async ({ page }) => {
+      const { name, depth, retract, allowance } = IN_WORDS[locale];
+      await open(page);
+      await chooseLanguage(page, locale);
+      await typeHead(page);
+      await insert(page).click();
+      await expect(card(page, 'G71')).toBeVisible();
+      const codes = await chooser(page)
+        .locator('.cycle-code')
+        .evaluateAll((codes) => codes.map(({ textContent }) => textContent));
+      expect(codes.toSorted()).toEqual(['G71', 'G72', 'G73', 'G74', 'G75', 'G76', 'G83', 'G90', 'G92', 'G94']);
+      expect(await chooser(page).getByRole('listitem').locator('svg').count()).toBe(codes.length);
+      await expect(card(page, 'G71')).toContainText(name);
+      await card(page, 'G71').click();
+      await expect(chooser(page)).toBeHidden();
+      await expect.poll(() => value(page)).toMatch(/X52 Z2\nG71 U2 R1\nG71 P10 Q20 U0\.4 W0\.1 F0\.25\nN10 G00 X\d/);
+      await expect(editor(page)).toBeFocused();
+      expect(await selected(page)).toBe('2');
+      await expect(atCursor(page)).toContainText(depth);
+      await page.keyboard.press('Tab');
+      await page.keyboard.type('0.8');
+      await expect(atCursor(page)).toContainText(retract);
+      await page.keyboard.press('Tab');
+      await expect(atCursor(page)).toContainText(allowance);
+      expect(await value(page)).toContain('\nG71 U2 R0.8\n');
+    },
+  );
 }
 
 test('one undo removes the whole cycle, but not the text before it', async ({ page }) => {

@@ -9,7 +9,7 @@ import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
-import { choose, editor, program, status, value } from './page';
+import { choose, editor, program, settled, status, value } from './page';
 
 const KILLS = Number(process.env['PLAYGROUND_KILLS'] ?? 8);
 /** Longest time whose input may be missing, ms. */
@@ -95,17 +95,13 @@ async function listCompared(page: ChromiumPage): Promise<void> {
   const dialog = page.getByRole('dialog', { name: 'My programs' });
   await expect(dialog.getByRole('status')).not.toHaveText('');
   await dialog.getByRole('button', { name: 'Close' }).click();
-  await page
-    .locator('gcode-playground')
-    .evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
+  await settled(page);
 }
 
 async function openAt(page: ChromiumPage, address: string): Promise<void> {
   await page.goto(address);
   await expect(status(page).filter({ hasText: /\d motions/ })).not.toContainText('…');
-  await page
-    .locator('gcode-playground')
-    .evaluate((element) => (element as unknown as { settled: Promise<number> }).settled);
+  await settled(page);
 }
 
 test('killing a tab or a browser during typing loses at most the last second', { tag: '@night' }, async ({

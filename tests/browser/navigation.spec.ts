@@ -1,5 +1,5 @@
 // Navigation in a program: occurrences of a number, the outline, folding. By keyboard, in three languages.
-import { expect, test, type BasicPage, type Locator } from './engines';
+import { expect, test, type BasicPage, type Locator, nightUnless } from './engines';
 import { atCursor, chooseLanguage, editor, goTo, open, runAgain, selected, type } from './page';
 
 const CONTOUR = [
@@ -92,32 +92,36 @@ test('a button pressed during the next run has its usual effect', async ({ page 
 const OUTLINE = { en: 'Outline of the program', zh: '程序大纲', ru: 'Структура программы' } as const;
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
-  test(`the outline is searched and closed by keys alone, ${locale}`, async ({ page }) => {
-    await open(page);
-    await chooseLanguage(page, locale);
-    await type(page, CONTOUR);
-    await goTo(page, 13, 4);
-    await page.keyboard.press('Control+Shift+O');
-    const dialog = page.getByRole('dialog', { name: OUTLINE[locale] });
-    await expect(dialog).toBeVisible();
-    await expect(entries(page).first()).toContainText('O1000');
-    await expect(entries(page).first()).toContainText('SHAFT');
-    // The block at the cursor is selected.
-    await expect(dialog.locator('[aria-selected=true]')).toContainText('G70 P10 Q20');
-    await page.keyboard.insertText('rough');
-    await expect(dialog.locator('[aria-selected=true]')).toContainText('ROUGHING');
-    await page.keyboard.press('Enter');
-    await expect(dialog).not.toBeVisible();
-    await expect(editor(page)).toBeFocused();
-    await expect(page.locator('.cm-activeLine')).toContainText('N1 T0101');
-    // Closing the outline does not move the cursor.
-    await page.keyboard.press('Control+Shift+O');
-    await expect(dialog).toBeVisible();
-    await page.keyboard.press('ArrowDown');
-    await page.keyboard.press('Escape');
-    await expect(dialog).not.toBeVisible();
-    await expect(page.locator('.cm-activeLine')).toContainText('N1 T0101');
-  });
+  test(
+    `the outline is searched and closed by keys alone, ${locale}`,
+    nightUnless(locale === 'en'),
+    async ({ page }) => {
+      await open(page);
+      await chooseLanguage(page, locale);
+      await type(page, CONTOUR);
+      await goTo(page, 13, 4);
+      await page.keyboard.press('Control+Shift+O');
+      const dialog = page.getByRole('dialog', { name: OUTLINE[locale] });
+      await expect(dialog).toBeVisible();
+      await expect(entries(page).first()).toContainText('O1000');
+      await expect(entries(page).first()).toContainText('SHAFT');
+      // The block at the cursor is selected.
+      await expect(dialog.locator('[aria-selected=true]')).toContainText('G70 P10 Q20');
+      await page.keyboard.insertText('rough');
+      await expect(dialog.locator('[aria-selected=true]')).toContainText('ROUGHING');
+      await page.keyboard.press('Enter');
+      await expect(dialog).not.toBeVisible();
+      await expect(editor(page)).toBeFocused();
+      await expect(page.locator('.cm-activeLine')).toContainText('N1 T0101');
+      // Closing the outline does not move the cursor.
+      await page.keyboard.press('Control+Shift+O');
+      await expect(dialog).toBeVisible();
+      await page.keyboard.press('ArrowDown');
+      await page.keyboard.press('Escape');
+      await expect(dialog).not.toBeVisible();
+      await expect(page.locator('.cm-activeLine')).toContainText('N1 T0101');
+    },
+  );
 }
 
 test('a button opens the outline, which shows a message if nothing is found', async ({ page }) => {

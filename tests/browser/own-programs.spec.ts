@@ -229,9 +229,9 @@ test('all programs are saved to one file, and imported without overwriting any',
   });
 });
 
-test('requests at the same time are executed in order: an import while a program is being deleted', async ({
-  page,
-}) => {
+test('requests at the same time are executed in order: an import while a program is being deleted', {
+  tag: '@night',
+}, async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);
@@ -269,9 +269,9 @@ test('a program that is replaced by another one is stored with its last edit', a
 });
 
 // A browser can freeze a page with pending writes in its back/forward cache, and restore it when the user goes back.
-test('leaving a page while the list is written does not block another page, and the page continues when restored', async ({
-  page,
-}) => {
+test('leaving a page while the list is written does not block another page, and the page continues when restored', {
+  tag: '@night',
+}, async ({ page }) => {
   await open(page, '#program=O1%0AG00%20X1');
   for (let round = 1; round <= 4; round++) {
     await typeAtEnd(page, `(${round})`);
@@ -291,7 +291,10 @@ test('leaving a page while the list is written does not block another page, and 
   await expect(items(page).first()).toContainText('O4');
 });
 
-test('a page that is left before its list is open continues when it is restored', async ({ page, engine }) => {
+test('a page that is left before its list is open continues when it is restored', { tag: '@night' }, async ({
+  page,
+  engine,
+}) => {
   await open(page, '#program=O1%0AG00%20X1');
   await page.evaluate(() =>
     addEventListener('pageshow', ({ persisted }) => void (document.title = `shown again: ${persisted}`)),
@@ -388,7 +391,9 @@ test('the program stored before the list existed is added to it once', async ({ 
   }
 });
 
-test('a full list reports that it stores no more, and the text stays in the editor', async ({ page }) => {
+test('a full list reports that it stores no more, and the text stays in the editor', { tag: '@night' }, async ({
+  page,
+}) => {
   await open(page);
   await openList(page);
   const programs = Array.from({ length: 1001 }, (_, i) => ({

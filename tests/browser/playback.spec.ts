@@ -1,5 +1,5 @@
 // Playing a program: steps, stops, the readout, and the text that follows. playing-smoothly.spec.ts measures its cost.
-import { expect, test, type Page } from './engines';
+import { expect, test, type Page, nightUnless } from './engines';
 import { editor, motionCount, open, openFile, program, status, type } from './page';
 
 const slider = (page: Page) => page.getByRole('slider', { name: 'Position along the path' });
@@ -179,18 +179,22 @@ for (const [key, line, atX] of [
   ['Control+Shift+Enter', 'G01 X40 F20', '40.000'],
   ['Control+F10', 'G01 X40 F20', '50.000'],
 ] as const) {
-  test(`${key} right after typing waits for the path of the typed text`, async ({ page }) => {
-    await open(page);
-    await setSpeed(page, '50×');
-    // Without motions there is nothing to play yet.
-    await type(page, '(EMPTY)');
-    await expect(page.getByRole('button', { name: 'Next motion' })).toBeDisabled();
-    await type(page, 'G98 G00 X50 Z2\nG01 X40 F20');
-    await page.keyboard.press(key);
-    await expect(shown(page, 'X Ø')).toHaveText(atX);
-    await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
-    await expect(running(page)).toHaveText(line);
-  });
+  test(
+    `${key} right after typing waits for the path of the typed text`,
+    nightUnless(key === 'F9' || key === 'Control+Enter'),
+    async ({ page }) => {
+      await open(page);
+      await setSpeed(page, '50×');
+      // Without motions there is nothing to play yet.
+      await type(page, '(EMPTY)');
+      await expect(page.getByRole('button', { name: 'Next motion' })).toBeDisabled();
+      await type(page, 'G98 G00 X50 Z2\nG01 X40 F20');
+      await page.keyboard.press(key);
+      await expect(shown(page, 'X Ø')).toHaveText(atX);
+      await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
+      await expect(running(page)).toHaveText(line);
+    },
+  );
 }
 
 test('an edit keeps the tool at its block', async ({ page }) => {

@@ -1,6 +1,6 @@
 // The presentation: how much of the window is program and picture, the size of drawing and text, the row of controls, and
 // the current block in words.
-import { chromiumTest as test, expect, type ChromiumPage } from './engines';
+import { chromiumTest as test, expect, type ChromiumPage, nightUnless } from './engines';
 import { choose, editor, goTo, locate, open } from './page';
 
 const LOCALES = [
@@ -79,74 +79,78 @@ for (const viewport of WINDOWS) {
   test.describe(`${viewport.width}×${viewport.height}`, () => {
     test.use({ viewport });
 
-    test(`a presentation enlarges text and drawing of G71, ${viewport.width}`, async ({ page }) => {
-      await open(page, '#s003-g71');
-      const before = { scale: await scaleOf(page), text: await textSize(page) };
-      await choose(page, 'more', 'Present');
-      await expect(page.getByRole('button', { name: 'End presentation' })).toBeFocused();
-      await expect.poll(() => scaleOf(page)).toBeGreaterThan(before.scale * 1.1);
-      expect(await textSize(page)).toBeGreaterThan(before.text * 1.3);
+    test(
+      `a presentation enlarges text and drawing of G71, ${viewport.width}`,
+      nightUnless(viewport.width === 1280),
+      async ({ page }) => {
+        await open(page, '#s003-g71');
+        const before = { scale: await scaleOf(page), text: await textSize(page) };
+        await choose(page, 'more', 'Present');
+        await expect(page.getByRole('button', { name: 'End presentation' })).toBeFocused();
+        await expect.poll(() => scaleOf(page)).toBeGreaterThan(before.scale * 1.1);
+        expect(await textSize(page)).toBeGreaterThan(before.text * 1.3);
 
-      const [program, picture] = [await boxOf(page, '.editor'), await boxOf(page, '.pictures')];
-      const all = viewport.width * viewport.height;
-      expect((program.width * program.height) / all).toBeGreaterThanOrEqual(0.42);
-      expect((program.width * program.height) / all).toBeLessThanOrEqual(0.48);
-      expect((picture.width * picture.height) / all).toBeGreaterThanOrEqual(0.52);
-      expect((picture.width * picture.height) / all).toBeLessThanOrEqual(0.58);
+        const [program, picture] = [await boxOf(page, '.editor'), await boxOf(page, '.pictures')];
+        const all = viewport.width * viewport.height;
+        expect((program.width * program.height) / all).toBeGreaterThanOrEqual(0.42);
+        expect((program.width * program.height) / all).toBeLessThanOrEqual(0.48);
+        expect((picture.width * picture.height) / all).toBeGreaterThanOrEqual(0.52);
+        expect((picture.width * picture.height) / all).toBeLessThanOrEqual(0.58);
 
-      await test.step('no block is cut off', async () => {
-        const overflow = await page
-          .locator('.cm-scroller')
-          .evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
-        expect(overflow).toBeLessThanOrEqual(0);
-        await expect(editor(page)).toContainText('N040 G71 P50 Q120 U0.5 W0.2 F100');
-      });
+        await test.step('no block is cut off', async () => {
+          const overflow = await page
+            .locator('.cm-scroller')
+            .evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+          expect(overflow).toBeLessThanOrEqual(0);
+          await expect(editor(page)).toContainText('N040 G71 P50 Q120 U0.5 W0.2 F100');
+        });
 
-      const canvas = await boxOf(page, 'canvas');
-      await test.step('one row of controls over the picture', async () => {
-        const bar = await boxOf(page, '.playback');
-        expect(bar.height).toBeLessThan(0.08 * viewport.height);
-        expect(bar.x).toBeGreaterThanOrEqual(picture.x - 1);
-        expect(bar.y + bar.height).toBeLessThanOrEqual(canvas.y + 1);
-        for (const control of await page.locator('.playback').locator('button, input').all()) {
-          const box = await control.boundingBox();
-          if (box === null) continue;
-          expect(Math.abs(box.y + box.height / 2 - (bar.y + bar.height / 2))).toBeLessThan(4);
-        }
-      });
+        const canvas = await boxOf(page, 'canvas');
+        await test.step('one row of controls over the picture', async () => {
+          const bar = await boxOf(page, '.playback');
+          expect(bar.height).toBeLessThan(0.08 * viewport.height);
+          expect(bar.x).toBeGreaterThanOrEqual(picture.x - 1);
+          expect(bar.y + bar.height).toBeLessThanOrEqual(canvas.y + 1);
+          for (const control of await page.locator('.playback').locator('button, input').all()) {
+            const box = await control.boundingBox();
+            if (box === null) continue;
+            expect(Math.abs(box.y + box.height / 2 - (bar.y + bar.height / 2))).toBeLessThan(4);
+          }
+        });
 
-      await test.step('the axis of X is numbered', async () => {
-        // The ruler without its ticks; its width follows the size of the text.
-        const width = 2.6 * (await textSize(page));
-        const ruler = { x: canvas.x + 1, y: canvas.y + 1, width, height: canvas.height * 0.8 };
-        expect(await textsIn(page, ruler)).toBeGreaterThanOrEqual(4);
-      });
+        await test.step('the axis of X is numbered', async () => {
+          // The ruler without its ticks; its width follows the size of the text.
+          const width = 2.6 * (await textSize(page));
+          const ruler = { x: canvas.x + 1, y: canvas.y + 1, width, height: canvas.height * 0.8 };
+          expect(await textsIn(page, ruler)).toBeGreaterThanOrEqual(4);
+        });
 
-      await test.step('the block is described, and the tool is in view', async () => {
-        await expect(page.getByText(/Page Down.*Escape/)).toBeVisible();
-        for (let block = 0; block < 2; block += 1) await page.keyboard.press('PageDown');
-        const words = page.getByText(/^G71: .* passes/);
-        await expect(words).toBeVisible();
-        const said = (await words.boundingBox()) as Box;
-        expect(said.y + said.height).toBeLessThanOrEqual(viewport.height);
-        for (let motion = 0; motion < 12; motion += 1) {
-          await page.keyboard.press('ArrowRight');
-          const { x, z } = await toolPlace(page);
-          const at = await locate(page, x, z);
-          expect(at.x).toBeGreaterThan(canvas.x);
-          expect(at.x).toBeLessThan(canvas.x + canvas.width);
-          expect(at.y).toBeGreaterThan(canvas.y + 20);
-          // The description does not cover the tool.
-          expect(at.y).toBeLessThan(said.y);
-        }
-        const readout = await boxOf(page, '.readout');
-        expect(readout.y + readout.height).toBeLessThanOrEqual(canvas.y + 1);
-      });
+        await test.step('the block is described, and the tool is in view', async () => {
+          await expect(page.getByText(/Page Down.*Escape/)).toBeVisible();
+          for (let block = 0; block < 2; block += 1) await page.keyboard.press('PageDown');
+          const words = page.getByText(/^G71: .* passes/);
+          await expect(words).toBeVisible();
+          const said = (await words.boundingBox()) as Box;
+          expect(said.y + said.height).toBeLessThanOrEqual(viewport.height);
+          for (let motion = 0; motion < 12; motion += 1) {
+            await page.keyboard.press('ArrowRight');
+            const { x, z } = await toolPlace(page);
+            const at = await locate(page, x, z);
+            expect(at.x).toBeGreaterThan(canvas.x);
+            expect(at.x).toBeLessThan(canvas.x + canvas.width);
+            expect(at.y).toBeGreaterThan(canvas.y + 20);
+            // The description does not cover the tool.
+            expect(at.y).toBeLessThan(said.y);
+          }
+          const readout = await boxOf(page, '.readout');
+          expect(readout.y + readout.height).toBeLessThanOrEqual(canvas.y + 1);
+        });
 
-      await page.keyboard.press('Escape');
-      await expect.poll(() => scaleOf(page)).toBeCloseTo(before.scale, 1);
-      expect(await textSize(page)).toBe(before.text);
-    });
+        await page.keyboard.press('Escape');
+        await expect.poll(() => scaleOf(page)).toBeCloseTo(before.scale, 1);
+        expect(await textSize(page)).toBe(before.text);
+      },
+    );
   });
 }
 

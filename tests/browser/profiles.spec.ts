@@ -1,7 +1,7 @@
 // Machines and tool tables are stored under names, and an exported file is a setup. Own programs start with the
 // selected machine, which may be one of the examples; programs of the page keep their own setup.
 import { readFileSync } from 'node:fs';
-import { expect, test, type Locator, type Page } from './engines';
+import { expect, test, type Locator, type Page, nightUnless } from './engines';
 import {
   chip,
   chooseExample,
@@ -12,9 +12,10 @@ import {
   open,
   openFile,
   problems,
+  settled,
   status,
-  value,
   titleText,
+  value,
 } from './page';
 
 const PROGRAM = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n';
@@ -30,12 +31,6 @@ const reading = (page: Page): Locator => page.getByRole('dialog', { name: 'How t
 const machine = (page: Page): Locator => reading(page).getByRole('button', { name: /^(Choose machine|Machine: )/ });
 const setup = async (page: Page): Promise<unknown> =>
   JSON.parse((await page.locator('gcode-playground').getAttribute('setup')) ?? '{}');
-
-/** Waits until the run is over, so that the popover with the button does not move. */
-const settled = async (page: Page): Promise<unknown> =>
-  page
-    .locator('gcode-playground')
-    .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
 
 async function openMachines(page: Page): Promise<void> {
   await settled(page);
@@ -143,38 +138,42 @@ for (const { name, control, total, turret, end } of [
   // 8 m/min and 4 m/min, 2000 rpm: 37.5 s, 15 s, 30 s.
   { name: 'Small lathe, GSK 980TD', control: 'GSK 980TD', total: '1:22', turret: 'front', end: 'Z-500' },
 ] as const) {
-  test(`an example machine changes control, times and travel: ${name}`, async ({ page }) => {
-    const time = page.locator('[part~=time]');
-    await open(page);
-    await openFile(page, 'own.nc', Buffer.from(LONG));
-    await expect(time).toHaveText('0:55');
-    await openMachines(page);
-    await expect(dialog(page).getByText('No machine is kept yet.')).toBeVisible();
-    await expect(dialog(page).getByText(/^Example values/)).toBeVisible();
-    await dialog(page)
-      .getByRole('button', { name: `Use: ${name}`, exact: true })
-      .click();
-    await expect(page.getByText(`${name} is in the setup of this page now`)).toBeVisible();
-    await expect(chip(page)).toContainText(control);
-    await expect(time).toHaveText(total);
-    await expectMachine(page, `Machine: ${name}`);
-    expect((await locate(page, 50, 0)).y > (await locate(page, 0, 0)).y).toBe(turret === 'front');
-
-    await test.step('its travel ends the path', async () => {
-      await openFile(page, 'far.nc', Buffer.from(LONG.replace('Z-300', 'Z-600')));
-      await expect(problems(page).getByText(`beyond the travel of the machine, which ends at ${end}`)).toBeVisible();
-      await expectMachine(page, `Machine: ${name}`);
-    });
-    await test.step('it is marked in the list, and the next visit begins with it', async () => {
-      await page.reload();
-      await expectMachine(page, `Machine: ${name}`);
+  test(
+    `an example machine changes control, times and travel: ${name}`,
+    nightUnless(name === 'Small lathe, GSK 980TD'),
+    async ({ page }) => {
+      const time = page.locator('[part~=time]');
+      await open(page);
+      await openFile(page, 'own.nc', Buffer.from(LONG));
+      await expect(time).toHaveText('0:55');
       await openMachines(page);
-      await expect(dialog(page).getByText(`${name} (in use)`)).toBeVisible();
-      await dialog(page).getByRole('button', { name: 'Use no machine' }).click();
-      await expectMachine(page, 'Choose machine');
-      expect(await setup(page)).toEqual({});
-    });
-  });
+      await expect(dialog(page).getByText('No machine is kept yet.')).toBeVisible();
+      await expect(dialog(page).getByText(/^Example values/)).toBeVisible();
+      await dialog(page)
+        .getByRole('button', { name: `Use: ${name}`, exact: true })
+        .click();
+      await expect(page.getByText(`${name} is in the setup of this page now`)).toBeVisible();
+      await expect(chip(page)).toContainText(control);
+      await expect(time).toHaveText(total);
+      await expectMachine(page, `Machine: ${name}`);
+      expect((await locate(page, 50, 0)).y > (await locate(page, 0, 0)).y).toBe(turret === 'front');
+
+      await test.step('its travel ends the path', async () => {
+        await openFile(page, 'far.nc', Buffer.from(LONG.replace('Z-300', 'Z-600')));
+        await expect(problems(page).getByText(`beyond the travel of the machine, which ends at ${end}`)).toBeVisible();
+        await expectMachine(page, `Machine: ${name}`);
+      });
+      await test.step('it is marked in the list, and the next visit begins with it', async () => {
+        await page.reload();
+        await expectMachine(page, `Machine: ${name}`);
+        await openMachines(page);
+        await expect(dialog(page).getByText(`${name} (in use)`)).toBeVisible();
+        await dialog(page).getByRole('button', { name: 'Use no machine' }).click();
+        await expectMachine(page, 'Choose machine');
+        expect(await setup(page)).toEqual({});
+      });
+    },
+  );
 }
 
 test('the inch machine reads a program without G20 in inches', async ({ page }) => {

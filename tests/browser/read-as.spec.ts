@@ -1,7 +1,7 @@
 // A chip always shows how the program was read. In its popover each value that depends on a setting links to its field.
 // A message about a setting has a button that sets it.
 import { expect, test, type Locator, type Page } from './engines';
-import { settled } from './embedded';
+
 import {
   chip,
   choose,
@@ -12,6 +12,7 @@ import {
   openProblems,
   openReading,
   problems,
+  settled,
   value,
 } from './page';
 

@@ -1,7 +1,7 @@
 // The report of a difference to the user's machine as a text, and as a folder for tests/programs.
 import { readFileSync } from 'node:fs';
 import { unzipSync, strFromU8 } from 'fflate';
-import { chromiumTest as test, type ChromiumPage, expect } from './engines';
+import { chromiumTest as test, type ChromiumPage, expect, nightUnless } from './engines';
 import { choose, open, type } from './page';
 
 const PROGRAM =
@@ -49,54 +49,57 @@ async function openReport(page: ChromiumPage, language: keyof typeof WORDS): Pro
 }
 
 for (const language of ['en', 'zh', 'ru'] as const) {
-  test(`a report contains program, setup, block, drawn motions and the machine's behaviour: ${language}`, async ({
-    page,
-    context,
-  }) => {
-    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-    const words = WORDS[language];
-    await open(page);
-    await type(page, PROGRAM);
-    await choose(page, 'more', words.language);
-    await openReport(page, language);
-    const dialog = page.getByRole('dialog');
-    await dialog.getByLabel(words.machine).fill('GSK 980TDb');
-    await dialog.getByLabel(words.line).fill('7');
-    await expect(dialog.locator('.block')).toHaveText('X40');
-    await dialog.getByLabel(words.did).fill('It stood at X60 Z2.');
-    const output = dialog.locator('#report-output');
-    await expect(output).toHaveValue(/\| feed \| 40 \| -20 \|/);
-    await expect(output).toHaveValue(/#share=1\./);
-    await dialog.getByRole('button', { name: words.copy, exact: true }).click();
-    const text = await page.evaluate(() => navigator.clipboard.readText());
-    expect(text).toBe(await output.inputValue());
-    for (const part of ['GSK 980TDb', '`X40`', 'It stood at X60 Z2.', PROGRAM.trim(), 'G-code playground 0.'])
-      expect(text).toContain(part);
+  test(
+    `a report contains program, setup, block, drawn motions and the machine's behaviour: ${language}`,
+    nightUnless(language === 'en'),
+    async ({ page, context }) => {
+      await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+      const words = WORDS[language];
+      await open(page);
+      await type(page, PROGRAM);
+      await choose(page, 'more', words.language);
+      await openReport(page, language);
+      const dialog = page.getByRole('dialog');
+      await dialog.getByLabel(words.machine).fill('GSK 980TDb');
+      await dialog.getByLabel(words.line).fill('7');
+      await expect(dialog.locator('.block')).toHaveText('X40');
+      await dialog.getByLabel(words.did).fill('It stood at X60 Z2.');
+      const output = dialog.locator('#report-output');
+      await expect(output).toHaveValue(/\| feed \| 40 \| -20 \|/);
+      await expect(output).toHaveValue(/#share=1\./);
+      await dialog.getByRole('button', { name: words.copy, exact: true }).click();
+      const text = await page.evaluate(() => navigator.clipboard.readText());
+      expect(text).toBe(await output.inputValue());
+      for (const part of ['GSK 980TDb', '`X40`', 'It stood at X60 Z2.', PROGRAM.trim(), 'G-code playground 0.'])
+        expect(text).toContain(part);
 
-    const saved = page.waitForEvent('download');
-    await dialog.getByRole('button', { name: words.save }).click();
-    const download = await saved;
-    expect(download.suggestedFilename()).toBe('machine-o0042.zip');
-    const files = unzipSync(readFileSync(await download.path()));
-    const file = (name: string): string => strFromU8(files[`machine-o0042/${name}`] ?? new Uint8Array());
-    expect(
-      Object.keys(files)
-        .filter((name) => !name.endsWith('/'))
-        .sort(),
-    ).toEqual(
-      ['about.json', 'expect.json', 'motions.jsonl', 'program.nc', 'setup.json'].map((name) => `machine-o0042/${name}`),
-    );
-    expect(file('program.nc')).toBe(PROGRAM);
-    const about = JSON.parse(file('about.json')) as { readonly seed: string; readonly source: string };
-    expect(about.seed).toBe('machine');
-    expect(about.source).toContain('GSK 980TDb, block 7: It stood at X60 Z2.');
-    expect(typeof JSON.parse(file('setup.json'))).toBe('object');
-    const motions = file('motions.jsonl')
-      .trim()
-      .split('\n')
-      .map((row) => JSON.parse(row) as { kind: string; line: number; to: { x: number; z: number } });
-    expect(motions.filter(({ line }) => line === 7).map(({ kind, to }) => [kind, to.x, to.z])).toEqual(DRAWN);
-  });
+      const saved = page.waitForEvent('download');
+      await dialog.getByRole('button', { name: words.save }).click();
+      const download = await saved;
+      expect(download.suggestedFilename()).toBe('machine-o0042.zip');
+      const files = unzipSync(readFileSync(await download.path()));
+      const file = (name: string): string => strFromU8(files[`machine-o0042/${name}`] ?? new Uint8Array());
+      expect(
+        Object.keys(files)
+          .filter((name) => !name.endsWith('/'))
+          .sort(),
+      ).toEqual(
+        ['about.json', 'expect.json', 'motions.jsonl', 'program.nc', 'setup.json'].map(
+          (name) => `machine-o0042/${name}`,
+        ),
+      );
+      expect(file('program.nc')).toBe(PROGRAM);
+      const about = JSON.parse(file('about.json')) as { readonly seed: string; readonly source: string };
+      expect(about.seed).toBe('machine');
+      expect(about.source).toContain('GSK 980TDb, block 7: It stood at X60 Z2.');
+      expect(typeof JSON.parse(file('setup.json'))).toBe('object');
+      const motions = file('motions.jsonl')
+        .trim()
+        .split('\n')
+        .map((row) => JSON.parse(row) as { kind: string; line: number; to: { x: number; z: number } });
+      expect(motions.filter(({ line }) => line === 7).map(({ kind, to }) => [kind, to.x, to.z])).toEqual(DRAWN);
+    },
+  );
 }
 
 test('the report waits for the motions, and cannot be copied before', async ({ page }) => {

@@ -1,6 +1,6 @@
 // The setup form: assumed values are marked, invalid values are reported at their fields, and the setup is stored where
 // the user chooses. Invalid setups in any place are reported and still give a picture.
-import { expect, test, type Locator, type Page } from './engines';
+import { expect, test, type Locator, type Page, nightUnless } from './engines';
 import {
   chip,
   choose,
@@ -365,17 +365,21 @@ for (const [what, setup, message, where] of [
   ['garbage', 'garbage', /The setup was not accepted/, 'alert'],
   ['a tool that is missing', '{"tools": {"T0202": {"type": "turning"}}}', /T0101/, 'problems'],
 ] as const) {
-  test(`an invalid setup in the attribute is reported: ${what}`, async ({ page }) => {
-    await begin(page);
-    await page.locator('gcode-playground').evaluate((element, json) => element.setAttribute('setup', json), setup);
-    if (where === 'alert') await expect(page.getByRole('alert').filter({ hasText: message })).toBeVisible();
-    else {
-      await openProblems(page);
-      await expect(problems(page).getByText(message).first()).toBeVisible();
-    }
-    await expectPart(page);
-    await openForm(page);
-  });
+  test(
+    `an invalid setup in the attribute is reported: ${what}`,
+    nightUnless(what === 'negative stock' || what === 'garbage'),
+    async ({ page }) => {
+      await begin(page);
+      await page.locator('gcode-playground').evaluate((element, json) => element.setAttribute('setup', json), setup);
+      if (where === 'alert') await expect(page.getByRole('alert').filter({ hasText: message })).toBeVisible();
+      else {
+        await openProblems(page);
+        await expect(problems(page).getByText(message).first()).toBeVisible();
+      }
+      await expectPart(page);
+      await openForm(page);
+    },
+  );
 }
 
 for (const [what, note, message] of [
@@ -385,12 +389,16 @@ for (const [what, note, message] of [
   ['garbage', '(STOCK D=60 LENGTH=80 HAMMER=1)', /HAMMER=1/],
   ['a tool that is missing', '(TOOL T0202 TYPE=TURNING)', /T0101/],
 ] as const) {
-  test(`an invalid setup in comments is reported: ${what}`, async ({ page }) => {
-    await begin(page, `${note}\n${PROGRAM}`);
-    await expect(problems(page).getByText(message).first()).toBeVisible();
-    await expectPart(page);
-    await openForm(page);
-  });
+  test(
+    `an invalid setup in comments is reported: ${what}`,
+    nightUnless(what === 'negative stock' || what === 'garbage'),
+    async ({ page }) => {
+      await begin(page, `${note}\n${PROGRAM}`);
+      await expect(problems(page).getByText(message).first()).toBeVisible();
+      await expectPart(page);
+      await openForm(page);
+    },
+  );
 }
 
 test('an opened file, and a cleared editor, start without the setup of the example', async ({ page }) => {

@@ -92,7 +92,7 @@ test('the part is rendered, rotated, follows the tool, and is released', async (
   });
 });
 
-test('holes of live tools are drawn on the part', async ({ page }) => {
+test('holes of live tools are drawn on the part', { tag: '@night' }, async ({ page }) => {
   // Three holes in the side, one of them in the face of the cut, and one in the end face; they remove nothing from the
   // turned part.
   const blocks = (side: string, face: string) => `(STOCK D=60 LENGTH=60)
@@ -181,7 +181,7 @@ test.describe('on a phone', () => {
   });
 });
 
-test('the tool is drawn at its position', async ({ page }) => {
+test('the tool is drawn at its position', { tag: '@night' }, async ({ page }) => {
   // The tool moves along the finished part without a cut.
   await open(page, '#s003-g71');
   await type(

@@ -5,8 +5,8 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { expect } from '@playwright/test';
-import { chromiumTest as test, type ChromiumPage } from './engines';
-import { chooseExample, chooseLanguage, motionCount, openMenu, value } from './page';
+import { chromiumTest as test, type ChromiumPage, nightUnless } from './engines';
+import { chooseExample, chooseLanguage, motionCount, openMenu, settled, value } from './page';
 import { DIST, nextBuild, storedSite, type StoredSite } from './stored-site';
 
 const AXE = readFileSync(join(DIST, '..', 'node_modules/axe-core/axe.min.js'), 'utf8');
@@ -216,7 +216,7 @@ test('the page can be installed, its manifest is in the language of the page, an
   await site.stop();
 });
 
-test('the element in another page stores nothing', async ({ page }) => {
+test('the element in another page stores nothing', { tag: '@night' }, async ({ page }) => {
   const site = await storedSite();
   site.publish(
     new Map([
@@ -227,9 +227,7 @@ test('the element in another page stores nothing', async ({ page }) => {
     ]),
   );
   await visit(page, `${site.address}manual.html`);
-  await page
-    .locator('gcode-playground')
-    .evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  await settled(page);
   await page.waitForTimeout(2500);
   expect(
     await page.evaluate(async () => [
@@ -246,40 +244,42 @@ for (const [locale, colorScheme, message, wanted] of [
   ['zh', 'dark', '可离线使用', '重新加载'],
   ['ru', 'light', 'Работает без сети', 'Обновить'],
 ] as const) {
-  test(`axe finds nothing in notices about versions and storing, on a phone and on a desktop: ${locale}`, {
-    tag: locale === 'en' ? [] : '@night',
-  }, async ({ browser }) => {
-    const context = await browser.newContext({ locale, colorScheme, viewport: { width: 390, height: 844 } });
-    const page = (await context.newPage()) as ChromiumPage;
-    const site = await storedSite();
-    await visit(page, site.address);
-    await openMenu(page, 'more');
-    await expect(page.locator('#offline', { hasText: message })).toBeVisible({ timeout: 60_000 });
-    site.publish(nextBuild());
-    await page.reload();
-    const reload = page.getByRole('button', { name: wanted, exact: true });
-    await expect(reload).toBeVisible({ timeout: 60_000 });
-    const box = (await reload.boundingBox())!;
-    expect(box.x + box.width).toBeLessThanOrEqual(390);
-    await page.evaluate(AXE);
-    const wrong = async (): Promise<string[]> =>
-      page.evaluate(async () => {
-        interface Axe {
-          run(context: Document): Promise<{ violations: { id: string; nodes: { target: unknown }[] }[] }>;
-        }
-        const { violations } = await (Reflect.get(window, 'axe') as Axe).run(document);
-        return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id} ${JSON.stringify(target)}`));
-      });
-    expect(await wrong()).toEqual([]);
-    await openMenu(page, 'more');
-    await expect(page.locator('#offline', { hasText: message })).toBeVisible();
-    expect(await wrong()).toEqual([]);
-    await page.keyboard.press('Escape');
-    await page.setViewportSize({ width: 1280, height: 800 });
-    expect(await wrong()).toEqual([]);
-    await openMenu(page, 'more');
-    expect(await wrong()).toEqual([]);
-    await context.close();
-    await site.stop();
-  });
+  test(
+    `axe finds nothing in notices about versions and storing, on a phone and on a desktop: ${locale}`,
+    nightUnless(locale === 'en'),
+    async ({ browser }) => {
+      const context = await browser.newContext({ locale, colorScheme, viewport: { width: 390, height: 844 } });
+      const page = (await context.newPage()) as ChromiumPage;
+      const site = await storedSite();
+      await visit(page, site.address);
+      await openMenu(page, 'more');
+      await expect(page.locator('#offline', { hasText: message })).toBeVisible({ timeout: 60_000 });
+      site.publish(nextBuild());
+      await page.reload();
+      const reload = page.getByRole('button', { name: wanted, exact: true });
+      await expect(reload).toBeVisible({ timeout: 60_000 });
+      const box = (await reload.boundingBox())!;
+      expect(box.x + box.width).toBeLessThanOrEqual(390);
+      await page.evaluate(AXE);
+      const wrong = async (): Promise<string[]> =>
+        page.evaluate(async () => {
+          interface Axe {
+            run(context: Document): Promise<{ violations: { id: string; nodes: { target: unknown }[] }[] }>;
+          }
+          const { violations } = await (Reflect.get(window, 'axe') as Axe).run(document);
+          return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id} ${JSON.stringify(target)}`));
+        });
+      expect(await wrong()).toEqual([]);
+      await openMenu(page, 'more');
+      await expect(page.locator('#offline', { hasText: message })).toBeVisible();
+      expect(await wrong()).toEqual([]);
+      await page.keyboard.press('Escape');
+      await page.setViewportSize({ width: 1280, height: 800 });
+      expect(await wrong()).toEqual([]);
+      await openMenu(page, 'more');
+      expect(await wrong()).toEqual([]);
+      await context.close();
+      await site.stop();
+    },
+  );
 }

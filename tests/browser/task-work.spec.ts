@@ -91,7 +91,7 @@ test('each link of two tasks restores its own work, which can be continued', asy
   await hasPrograms(page, 2);
 });
 
-test('a changed example on the page without a link does not affect the work', async ({ page }) => {
+test('a changed example on the page without a link does not affect the work', { tag: '@night' }, async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -105,7 +105,9 @@ test('a changed example on the page without a link does not affect the work', as
   await isShown(page, first, done);
 });
 
-test('in one tab, the link to the task restores the work after another link was opened', async ({ page }) => {
+test('in one tab, the link to the task restores the work after another link was opened', { tag: '@night' }, async ({
+  page,
+}) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   // Immediately, before the timer stores it.
@@ -127,9 +129,9 @@ test('in one tab, the link to the task restores the work after another link was 
   await hasPrograms(page, 2);
 });
 
-test('in one tab, the link to the task restores the work after the URL without a link, reloaded or not', async ({
-  page,
-}) => {
+test('in one tab, the link to the task restores the work after the URL without a link, reloaded or not', {
+  tag: '@night',
+}, async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -162,7 +164,9 @@ test('"Open the link again" starts over, and the new text becomes the work', asy
   await hasPrograms(page, 2);
 });
 
-test('a line break or a full stop added by a mail program does not make another task', async ({ page }) => {
+test('a line break or a full stop added by a mail program does not make another task', { tag: '@night' }, async ({
+  page,
+}) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);

@@ -1,5 +1,5 @@
 // What-if values: another value for a variable is tried by keys alone, in three languages, without changing the text.
-import { expect, test, type BasicPage, type Locator } from './engines';
+import { expect, test, type BasicPage, type Locator, nightUnless } from './engines';
 import { atCursor, chooseLanguage, editor, goTo, open, runAgain, type, value } from './page';
 
 const CALLS = [
@@ -67,46 +67,50 @@ async function picture(page: BasicPage): Promise<number> {
 }
 
 for (const locale of ['en', 'zh', 'ru'] as const) {
-  test(`inside a macro in a loop a variable gets another value, ${locale}`, async ({ page }) => {
-    const words = IN_WORDS[locale];
-    await open(page);
-    await chooseLanguage(page, locale);
-    await type(page, CALLS);
-    await page.getByRole('button', { name: words.pace }).click();
-    await page.getByRole('combobox', { name: words.speed, exact: true }).selectOption('50×');
-    await page.keyboard.press('Escape');
-    // Pause inside the macro, in the loop that calls it.
-    await editor(page).focus();
-    await page.keyboard.press('Control+End');
-    await page.keyboard.press('ArrowUp');
-    await page.keyboard.press('Control+F8');
-    await picture(page);
-    await page.keyboard.press('Control+Enter');
-    await expect(page.getByText(words.held)).toBeVisible();
-    await page.keyboard.press('F1');
-    await expect(cells(page, '#24')).toContainText('40');
-    await expect(atCursor(page)).toContainText(words.caller);
-    await atCursor(page).getByRole('button', { name: words.next }).focus();
-    await page.keyboard.press('Enter');
-    await expect(cells(page, '#24')).toContainText('35');
-    const before = await picture(page);
-    await atCursor(page).getByRole('button', { name: words.tryIt }).focus();
-    await page.keyboard.press('Enter');
-    await page.keyboard.type('90');
-    await page.keyboard.press('Enter');
-    // The value is marked in the text, above the picture and in the table; the path changes, the text does not.
-    await expect(page.locator('.tried-value')).toContainText('#24 = 90');
-    await expect(page.locator('.what-if')).toContainText('#24 = 90');
-    expect(await value(page)).toBe(CALLS);
-    expect(await picture(page)).not.toBe(before);
-    await expect(cells(page, '#24')).toContainText('90');
-    // One key restores the program.
-    await page.getByRole('button', { name: words.back }).focus();
-    await page.keyboard.press('Enter');
-    await expect(page.locator('.tried-value')).toHaveCount(0);
-    await expect(page.locator('.what-if')).not.toBeVisible();
-    await expect(editor(page)).toBeFocused();
-  });
+  test(
+    `inside a macro in a loop a variable gets another value, ${locale}`,
+    nightUnless(locale === 'en'),
+    async ({ page }) => {
+      const words = IN_WORDS[locale];
+      await open(page);
+      await chooseLanguage(page, locale);
+      await type(page, CALLS);
+      await page.getByRole('button', { name: words.pace }).click();
+      await page.getByRole('combobox', { name: words.speed, exact: true }).selectOption('50×');
+      await page.keyboard.press('Escape');
+      // Pause inside the macro, in the loop that calls it.
+      await editor(page).focus();
+      await page.keyboard.press('Control+End');
+      await page.keyboard.press('ArrowUp');
+      await page.keyboard.press('Control+F8');
+      await picture(page);
+      await page.keyboard.press('Control+Enter');
+      await expect(page.getByText(words.held)).toBeVisible();
+      await page.keyboard.press('F1');
+      await expect(cells(page, '#24')).toContainText('40');
+      await expect(atCursor(page)).toContainText(words.caller);
+      await atCursor(page).getByRole('button', { name: words.next }).focus();
+      await page.keyboard.press('Enter');
+      await expect(cells(page, '#24')).toContainText('35');
+      const before = await picture(page);
+      await atCursor(page).getByRole('button', { name: words.tryIt }).focus();
+      await page.keyboard.press('Enter');
+      await page.keyboard.type('90');
+      await page.keyboard.press('Enter');
+      // The value is marked in the text, above the picture and in the table; the path changes, the text does not.
+      await expect(page.locator('.tried-value')).toContainText('#24 = 90');
+      await expect(page.locator('.what-if')).toContainText('#24 = 90');
+      expect(await value(page)).toBe(CALLS);
+      expect(await picture(page)).not.toBe(before);
+      await expect(cells(page, '#24')).toContainText('90');
+      // One key restores the program.
+      await page.getByRole('button', { name: words.back }).focus();
+      await page.keyboard.press('Enter');
+      await expect(page.locator('.tried-value')).toHaveCount(0);
+      await expect(page.locator('.what-if')).not.toBeVisible();
+      await expect(editor(page)).toBeFocused();
+    },
+  );
 }
 
 test('a value being typed is kept when the program runs again', async ({ page }) => {

@@ -7,7 +7,7 @@ import { ForeignLocator, ForeignPage } from './foreign';
 import type { BasicPage, Locator, Text } from './interface';
 
 /** Timeout of a matcher, ms; same as `expect.timeout` in playwright.config.ts. */
-const TIMEOUT = 10_000;
+const TIMEOUT = 20_000;
 const PAUSE = 60;
 
 interface Patience {
@@ -42,7 +42,15 @@ interface Expect {
   (actual: BasicPage): PageMatchers;
   <T>(actual: T, message?: string): ReturnType<typeof playwrights<T>>;
   soft: Playwrights['soft'];
-  poll: Playwrights['poll'];
+  poll: typeof poll;
+}
+
+/** Playwright's `poll` asks at once and then after 100, 250, 500 and 1000 ms; most answers come sooner. */
+function poll<T>(ask: () => T | Promise<T>, options: Parameters<Playwrights['poll']>[1] = {}) {
+  return playwrights.poll<T>(ask, {
+    intervals: [50, 50, 100, 200],
+    ...(typeof options === 'string' ? { message: options } : options),
+  });
 }
 
 export const expect: Expect = Object.assign(
@@ -51,7 +59,7 @@ export const expect: Expect = Object.assign(
     if (actual instanceof ForeignPage) return pageMatchers(actual) as never;
     return playwrights(actual, message) as never;
   },
-  { soft: playwrights.soft, poll: playwrights.poll },
+  { soft: playwrights.soft, poll },
 );
 
 const folded = (text: string): string =>

@@ -9,7 +9,7 @@ import type { Question, Ready, Step, Wanted } from './finder';
 import type { Box, Download, Finds, Keyboard, Locator, Mouse, Page, Role, Text } from './interface';
 
 /** Timeout of an action, ms. */
-export const TIMEOUT = 10_000;
+export const TIMEOUT = 20_000;
 /** Polling interval, ms. */
 const PAUSE = 60;
 

@@ -28,6 +28,9 @@ interface WorkerFixtures extends WorkerOptions {
 /** Runs in the page: removes the service worker API, as in a browser without it. */
 const withoutStoring = (): void => void Reflect.deleteProperty(Navigator.prototype, 'serviceWorker');
 
+/** Details of a test in one variant of several: without `--all`, only the usual variant runs. */
+export const nightUnless = (isUsual: boolean): { readonly tag: string[] } => ({ tag: isUsual ? [] : ['@night'] });
+
 const VIEWPORT = { width: 1440, height: 900 };
 
 const extended = base.extend<TestOptions, WorkerFixtures>({
