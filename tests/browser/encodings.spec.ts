@@ -2,7 +2,7 @@
 import { expect, test, type Page, nightUnless } from './engines';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { choose, chooseLanguage, editor, open, openFile, status, value } from './page';
+import { choose, chooseLanguage, editor, open, openFile, reload, status, value } from './page';
 
 /** The same cases are tested with the command line. */
 const cases = (
@@ -182,7 +182,7 @@ test('after a reload, and after undoing another file, a program is still saved i
   await expect(encoding(page)).toHaveValue('windows-1252');
   expect(await save(page)).toEqual({ name: 'first.nc', bytes: first });
 
-  await page.reload();
+  await reload(page);
   await expect(status(page)).toContainText(/^1 motion/);
   await expect(encoding(page)).toHaveValue('windows-1252');
   expect(await save(page)).toEqual({ name: 'first.nc', bytes: first });

@@ -11,6 +11,7 @@ import {
   openProblems,
   problems,
   program,
+  reload,
   selected,
   status,
   tooltip,
@@ -102,7 +103,7 @@ test('typed text is restored after a reload, and can be discarded', async ({ pag
   await expect(page.getByText('Restored your last program')).toHaveCount(0);
   await type(page, 'G0 X50 Z2\nG1 Z-20 F0.2\n');
   await expect(status(page)).toContainText(/^2 motions/);
-  await page.reload();
+  await reload(page);
   await expect(status(page)).toContainText(/^2 motions/);
   await page.getByRole('button', { name: 'Open the first example' }).click();
   await expect(status(page)).toContainText(/^7 motions/);
@@ -114,7 +115,7 @@ test('a changed example is restored after a reload, and can be reset', async ({ 
   await editor(page).focus();
   await page.keyboard.insertText('(MINE)');
   await kept(page);
-  await page.reload();
+  await reload(page);
   await expect.poll(() => value(page)).toContain('(MINE)');
   await page.getByRole('button', { name: 'Reset example' }).click();
   await expect.poll(() => value(page)).toBe(program('s003-g71'));

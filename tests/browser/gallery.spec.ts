@@ -9,10 +9,11 @@ import {
   open,
   openFile,
   program,
+  reload,
   status,
+  titleText,
   type,
   value,
-  titleText,
 } from './page';
 
 const gallery = (page: Page) => page.getByRole('dialog', { name: 'Gallery' });
@@ -152,7 +153,7 @@ test('the description of an example is hidden and shown by its button, which is 
   await about.click();
   await expect(about).toHaveAttribute('aria-expanded', 'false');
   await expect(added).toBeHidden();
-  await page.reload();
+  await reload(page);
   await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
   await expect(added).toBeHidden();
   await about.click();

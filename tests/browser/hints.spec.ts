@@ -1,7 +1,7 @@
 // The first minute: two hints over the picture, each at what it is about, then none. The help at the cursor says first
 // that a number can be changed.
 import { expect, test, type Page } from './engines';
-import { atCursor, open, play, status } from './page';
+import { atCursor, open, play, reload, status } from './page';
 
 const hint = (page: Page) => page.getByRole('note');
 const GOT_IT = 'Got it';
@@ -15,7 +15,7 @@ test('hints for actions already done are not shown, and finally there are none',
   await page.getByRole('button', { name: GOT_IT }).click();
   await expect(hint(page)).toBeHidden();
 
-  await page.reload();
+  await reload(page);
   await expect(status(page)).toContainText(/motions/);
   await expect(play(page)).toBeEnabled();
   await expect(hint(page)).toBeHidden();
@@ -25,6 +25,6 @@ test('a dismissed hint is followed by the next one, also after a reload', async 
   await open(page);
   await page.getByRole('button', { name: GOT_IT }).click();
   await expect(hint(page)).toHaveText(/^Click a stroke/);
-  await page.reload();
+  await reload(page);
   await expect(hint(page)).toHaveText(/^Click a stroke/);
 });

@@ -11,9 +11,10 @@ import {
   openProblems,
   problems,
   program,
+  reload,
   status,
-  value,
   titleText,
+  value,
 } from './page';
 
 const OWN = 'G00 X32 Z2\nG90 X28 Z-30 F0.2\n';
@@ -180,7 +181,7 @@ test('an own program is restored by a reload', async ({ page }) => {
   await pasteOver(page, OWN);
   await expectOwn(page);
   await expect.poll(() => address(page)).not.toContain('#');
-  await page.reload();
+  await reload(page);
   await expect.poll(() => value(page)).toBe(OWN);
   await expectOwn(page);
 });

@@ -4,7 +4,20 @@
 import { readFileSync } from 'node:fs';
 import { expect, test, type BasicPage, type Locator, type Page } from './engines';
 import { addInHiddenTab, items, kept, list, secondTab } from './own-programs';
-import { chip, choose, chooseExample, editor, open, openFile, program, title, type, value, titleText } from './page';
+import {
+  chip,
+  choose,
+  chooseExample,
+  editor,
+  open,
+  openFile,
+  program,
+  reload,
+  title,
+  titleText,
+  type,
+  value,
+} from './page';
 
 const SHAFT = 'O0011 (SHAFT)\nG00 X32 Z2\nG01 Z-30 F0.2\nM30\n';
 const BUSH = 'O0012 (BUSH)\nG00 X42 Z2\nG01 Z-10 F0.2\nG00 X60\nM30\n';
@@ -130,7 +143,7 @@ test('a program is renamed, duplicated and deleted, and the deletion can be undo
   });
   await test.step('after it is deleted, the open program stays on the page, and is not restored the next time', async () => {
     expect(await value(page)).toBe(`${SHAFT}(more)`);
-    await page.reload();
+    await reload(page);
     await expect.poll(() => value(page)).toBe(program(EXAMPLE));
     await openList(page);
     await expect(items(page)).toHaveCount(1);
@@ -415,7 +428,7 @@ test('a full list reports that it stores no more, and the text stays in the edit
   await close(page);
   await type(page, SHAFT);
   await expect(notice(page)).toContainText('The list of your programs is full: this program is not in it.');
-  await page.reload();
+  await reload(page);
   await expect.poll(() => value(page)).toBe(SHAFT);
   await test.step('storing resumes when there is room', async () => {
     await openList(page);
@@ -571,7 +584,7 @@ test('deleting the database while the page is open is reported, and the text is 
   await openList(page);
   await expect(items(page)).toHaveCount(1);
   await close(page);
-  await page.reload();
+  await reload(page);
   await expect.poll(() => value(page)).toBe(SHAFT);
 });
 
@@ -675,7 +688,7 @@ test('a list whose rows are of any type is still shown', async ({ page }) => {
     });
     db.close();
   });
-  await page.reload();
+  await reload(page);
   await openList(page);
   await expect(items(page)).toHaveCount(7);
   await items(page).last().getByRole('button').first().click();

@@ -114,12 +114,19 @@ export async function settled(page: BasicPage, which = 0): Promise<void> {
     });
 }
 
-/** Replaces the text like a user: select all, then type. */
+/** Reloads the page and waits until its program is shown: before, a click may meet a layout that still changes. */
+export async function reload(page: BasicPage): Promise<void> {
+  await page.reload();
+  await settled(page);
+}
+
+/** Replaces the text like a user, select all, then type, and waits until its run is shown. */
 export async function type(page: BasicPage, text: string): Promise<void> {
   await editor(page).focus();
   await page.keyboard.press('Control+A');
   await page.keyboard.press('Delete');
   await page.keyboard.insertText(text);
+  await settled(page);
 }
 
 /** The panel below the editor about the word and the block at the cursor. */
@@ -281,6 +288,9 @@ export async function chooseControl(page: BasicPage, name: string): Promise<void
   const form = page.getByRole('dialog', { name: /^(Setup|毛坯与刀具|Наладка)/ });
   await form.getByRole('combobox', { name: /^(Control|数控系统|Система ЧПУ)/ }).selectOption(name);
   await form.getByRole('button', { name: /^(Apply|应用|Применить)$/ }).click();
+  // A dialog that closes returns the focus to its opener.
+  await expect(form).toBeHidden();
+  await settled(page);
 }
 
 /** Opens the list of problems, unless it is open. A new program with errors opens it, too: possibly at the same time. */

@@ -12,6 +12,7 @@ import {
   open,
   openFile,
   problems,
+  reload,
   settled,
   status,
   titleText,
@@ -82,7 +83,7 @@ test('a machine is imported, used for own programs, and exported unchanged', asy
     await page.keyboard.press('Control+V');
     await expectMachine(page, 'Machine: Shop 1');
     expect(await setup(page)).toEqual(SHOP);
-    await page.reload();
+    await reload(page);
     await expectMachine(page, 'Machine: Shop 1');
   });
   await test.step('the exported file is a setup', async () => {
@@ -164,7 +165,7 @@ for (const { name, control, total, turret, end } of [
         await expectMachine(page, `Machine: ${name}`);
       });
       await test.step('it is marked in the list, and the next visit begins with it', async () => {
-        await page.reload();
+        await reload(page);
         await expectMachine(page, `Machine: ${name}`);
         await openMachines(page);
         await expect(dialog(page).getByText(`${name} (in use)`)).toBeVisible();

@@ -1,7 +1,7 @@
 // Access to the page: by keyboard alone, in three languages. Phones and dark mode are in phone.spec.ts. The screenshots
 // in test-results are for manual review, not goldens.
 import { expect, test } from './engines';
-import { choose, drawing, editor, open, openProblems, problems, status, title, type, titleText } from './page';
+import { choose, drawing, editor, open, openProblems, problems, reload, status, title, titleText, type } from './page';
 
 test('menus, gallery, editor, problems, playback, help and drawing are usable by keyboard alone', async ({ page }) => {
   await open(page);
@@ -95,6 +95,6 @@ test('in Chinese and Russian the page and its messages change, and the program d
   await expect(editor(page)).toContainText('G0 X50 Z2');
   await page.screenshot({ path: info.outputPath('ru.png') });
 
-  await page.reload();
+  await reload(page);
   await expect(status(page)).toContainText('перемещение');
 });

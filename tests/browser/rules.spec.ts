@@ -1,6 +1,18 @@
 // The pages of the rules: from a message to its page, in each language, and back with the program.
 import { expect, test, type Page, nightUnless } from './engines';
-import { chip, choose, editor, open, openMenu, openProblems, problems, problemsButton, type, value } from './page';
+import {
+  chip,
+  choose,
+  editor,
+  open,
+  openMenu,
+  openProblems,
+  problems,
+  problemsButton,
+  reload,
+  type,
+  value,
+} from './page';
 
 const FAULTY = 'O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X52 Z M08\nG00 X200 Z200 M09\nM30';
 
@@ -80,7 +92,7 @@ test('a changed program of a URL is stored, and restored', async ({ page }) => {
   await page.keyboard.press('Control+End');
   await page.keyboard.insertText('\nO0002\nM99');
   await expect(page).toHaveURL(/\/$/);
-  await page.reload();
+  await reload(page);
   await expect(editor(page)).toContainText('O0002');
   await expect(chip(page)).toContainText('GSK 980TD');
 });

@@ -13,6 +13,7 @@ import {
   openReading,
   problems,
   reading,
+  reload,
   status,
   tooltip,
   value,
@@ -70,7 +71,7 @@ test('unset values are shown as assumed, and can be set by keyboard', async ({ p
   expect(await value(page)).toBe(PROGRAM);
 
   await test.step('the setup is stored with the text', async () => {
-    await page.reload();
+    await reload(page);
     await expect(page.getByText('Tools assumed')).toBeVisible();
     expect(JSON.parse((await attribute(page)) ?? '')).toMatchObject({ stock: { diameter: 50 } });
   });

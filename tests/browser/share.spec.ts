@@ -3,7 +3,7 @@
 import { expect, test, type Locator, type Page, nightUnless } from './engines';
 import { openHtml, programOf } from './embedded';
 import { random, randomState, storedLinks } from './links';
-import { chip, choose, chooseLanguage, clipboard, editor, open, openFile, settled, type, value } from './page';
+import { chip, choose, chooseLanguage, clipboard, editor, open, openFile, reload, settled, type, value } from './page';
 import { makeLink, EMPTY_SHARED, parseLink, type Shared } from '../../www/src/files/shared-link';
 
 const OWN = 'O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nX32\nG00 X100 Z100\nM30\n';
@@ -271,7 +271,7 @@ test('broken, truncated, newer and hostile links show a message and change nothi
   expect(await state(page)).toEqual(before);
   // Loading the page with such a URL restores the previous program, too.
   await go(page, good.slice(0, -5));
-  await page.reload();
+  await reload(page);
   await expect(page.getByText(/^This link is not complete: 5 characters missing/)).toBeVisible();
   await expect.poll(() => value(page)).toBe(OWN);
 });
@@ -405,7 +405,7 @@ test('a teacher gives a class a task by link, and receives links to the answers'
     expect(await value(page)).toBe(work);
     // The same link on another day does not change it either.
     await expect(page.getByText('This program is from a link')).toBeVisible();
-    await page.reload();
+    await reload(page);
     await expect.poll(() => value(page)).toBe(work);
     await expect(page.getByText('Task: Turn the shoulder')).toBeVisible();
     await page.goto('about:blank');

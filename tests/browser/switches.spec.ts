@@ -1,6 +1,6 @@
 // The switches of the operator's panel: they are shown if the text uses them, and are part of the interpreter's setup.
 import { expect, test, type Page } from './engines';
-import { chooseLanguage, chip, open, openFile, openReading, reading, status, type } from './page';
+import { chip, chooseLanguage, open, openFile, openReading, reading, reload, status, type } from './page';
 
 const PROGRAMS =
   'O0001\n/G0 X50 Z2\nN20 /3 G0 X40\n(a/2 b)\nG0 X30 /M8\n#1=#2/4\nM30\nO0007 (second)\n/2 G0 X10\nM30\n';
@@ -69,7 +69,7 @@ test('switches are shown for the block-skip levels and programs of the text, and
   await page.screenshot({ path: info.outputPath('switches.png') });
 
   await test.step('stored with the text', async () => {
-    await page.reload();
+    await reload(page);
     await openReading(page);
     await expect(skip(page, '/')).toHaveAttribute('aria-checked', 'true');
     await expect(skip(page, '/2')).toHaveAttribute('aria-checked', 'false');

@@ -45,7 +45,7 @@ interface Expect {
   poll: typeof poll;
 }
 
-/** Playwright's `poll` asks at once and then after 100, 250, 500 and 1000 ms; most answers come sooner. */
+/** Playwright's `poll` repeats after 100, 250, 500 and 1000 ms; most values change sooner. */
 function poll<T>(ask: () => T | Promise<T>, options: Parameters<Playwrights['poll']>[1] = {}) {
   return playwrights.poll<T>(ask, {
     intervals: [50, 50, 100, 200],

@@ -48,7 +48,7 @@ function fits(wanted: Wanted, text: string): boolean {
   return folded(text).toLowerCase().includes(folded(wanted.text).toLowerCase());
 }
 
-/** Light children come before those of the shadow root, as in the locators of Playwright. */
+/** Light children come before the children of the shadow root, as in Playwright's locators. */
 const childrenOf = (node: ParentNode): Element[] => [
   ...node.children,
   ...(node instanceof Element && node.shadowRoot ? node.shadowRoot.children : []),
@@ -269,6 +269,49 @@ export async function ready(steps: readonly Step[], to: 'click' | 'hover'): Prom
     covered = top?.outerHTML.slice(0, 120) ?? 'nothing';
   }
   return { why: `it is covered by ${covered}` };
+}
+
+/** Events of a click, in their order. */
+const CLICK_EVENTS = ['pointerdown', 'mousedown', 'pointerup', 'mouseup', 'click'] as const;
+
+let watched: { arrived: boolean; readonly stop: () => void } | undefined;
+
+/**
+ * Watches the next click, as Playwright does: if the layout has changed and the press meets another element than the
+ * only one, it has no effect.
+ */
+export function watchClick(steps: readonly Step[]): void {
+  watched?.stop();
+  watched = undefined;
+  const element = one(steps);
+  // A list of the system sends no click.
+  if (element instanceof HTMLSelectElement) return;
+  const isHit = (event: Event): boolean =>
+    event.composedPath().some((at) => at === element || (at instanceof HTMLLabelElement && at.control === element));
+  let isMissed = false;
+  const watch = (event: Event): void => {
+    if (event.type === 'pointerdown' || event.type === 'mousedown') isMissed = !isHit(event);
+    else if (event.type === 'click' && isHit(event)) own.arrived = true;
+    if (!isMissed) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+  };
+  const stop = (): void => {
+    for (const type of CLICK_EVENTS) removeEventListener(type, watch, { capture: true });
+  };
+  const own = { arrived: false, stop };
+  for (const type of CLICK_EVENTS) addEventListener(type, watch, { capture: true });
+  watched = own;
+}
+
+/** Whether the watched click has arrived at its element; waits half a second for it. */
+export async function clickArrived(): Promise<boolean> {
+  const own = watched;
+  if (own === undefined) return true;
+  for (let tries = 0; tries < 30 && !own.arrived; tries++) await new Promise((done) => setTimeout(done, 16));
+  own.stop();
+  watched = undefined;
+  return own.arrived;
 }
 
 /**

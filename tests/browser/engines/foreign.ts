@@ -138,8 +138,13 @@ export class ForeignLocator extends Finder implements Locator {
   }
 
   async click(): Promise<void> {
-    const { x, y } = await this.ready('click');
-    await this.owner.mouse.click(x, y);
+    for (const end = Date.now() + TIMEOUT; ; ) {
+      const { x, y } = await this.ready('click');
+      await this.owner.find('watchClick', this.steps);
+      await this.owner.mouse.click(x, y);
+      if (await this.owner.clickArrived()) return;
+      if (Date.now() > end) throw new Error(`click of ${this}: it does not arrive`);
+    }
   }
   async dblclick(): Promise<void> {
     const { x, y } = await this.ready('click');
@@ -280,7 +285,7 @@ export class ForeignPage extends Finder implements Page {
    * Calls a function of `finder` in the page. A function without side effects is retried in the next document if the
    * page navigates.
    */
-  async find(name: 'ask' | 'ready' | 'act' | 'insert', ...args: unknown[]): Promise<unknown> {
+  async find(name: 'ask' | 'ready' | 'act' | 'insert' | 'watchClick', ...args: unknown[]): Promise<unknown> {
     const looks = name === 'ask' || name === 'ready';
     for (const end = Date.now() + TIMEOUT; ; await pause(PAUSE)) {
       try {
@@ -288,6 +293,15 @@ export class ForeignPage extends Finder implements Page {
       } catch (error) {
         if (!looks || !(error instanceof DocumentLeft) || Date.now() > end) throw error;
       }
+    }
+  }
+  /** Whether the watched click has arrived at its element; a click that has left the document has. */
+  async clickArrived(): Promise<boolean> {
+    try {
+      return (await this.tab.evaluate('globalThis.finder ? globalThis.finder.clickArrived() : true')) === true;
+    } catch (error) {
+      if (error instanceof DocumentLeft) return true;
+      throw error;
     }
   }
   /** Evaluates an expression that needs `finder`, which is injected first if the document does not have it yet. */
@@ -344,8 +358,9 @@ export class ForeignPage extends Finder implements Page {
     const names = readdirSync(this.tab.downloads);
     const name = names.find((each) => {
       if (/\.(part|wkdownload)$/.test(each) || names.includes(`${each}.part`)) return false;
-      const { size, mtimeMs } = statSync(join(this.tab.downloads, each));
-      return Date.now() - mtimeMs > (size === 0 ? 1500 : 150);
+      // Firefox may just have renamed it.
+      const file = statSync(join(this.tab.downloads, each), { throwIfNoEntry: false });
+      return file !== undefined && Date.now() - file.mtimeMs > (file.size === 0 ? 1500 : 150);
     });
     if (name === undefined) return undefined;
     // Move the file out of the folder; otherwise the next download would get another name.
