@@ -67,9 +67,7 @@ for (const width of [320, 375]) {
         const state = (): Promise<{ scrolled: number; shown: number }> =>
           page.locator('gcode-playground').evaluate(async (element) => {
             await (element as Playground).settled;
-            const { clientY } = await (
-              element as Playground & { locate(x: number, z: number): Promise<{ clientY: number }> }
-            ).locate(0, 0);
+            const { clientY } = await (element as Playground).locate(0, 0);
             return { scrolled: scrollY, shown: clientY + scrollY };
           });
         const before = await state();

@@ -89,31 +89,35 @@ async function press(page: Page): Promise<void> {
   await page.keyboard.insertText(' ');
 }
 
-/** Browsers differ most in these two: a WebAssembly module, and a script imported by another script. */
+/**
+ * Run without `--all`, in every engine, with one kind of failure. Browsers differ most in these two: a WebAssembly
+ * module, and a script imported by another script.
+ */
 const IN_EVERY_ENGINE = ['the core module', 'the editor'];
-
-/** Without `--all`, one kind of failure of these two runs. */
-const ofKind = (how: Refusal, isInEveryEngine: boolean) => nightUnless(how === 'missing' && isInEveryEngine);
 
 for (const [name, file] of Object.entries(FILES)) {
   for (const how of ['missing', 'closed', 'corrupted'] as const) {
-    test(`${name} is ${how} when the page starts`, ofKind(how, IN_EVERY_ENGINE.includes(name)), async ({ page }) => {
-      const site = await storedSite();
-      site.refuse(file.pattern, how);
-      await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
-      await fails(page, file);
-      for (const [by, trigger] of Object.entries(TRIGGERS)) {
-        const refused = (): number => site.requested.filter((path) => file.pattern.test(`/${path}`)).length;
-        const before = refused();
-        await trigger(page, file.message);
-        await expect.poll(refused, `asked again after ${by}`).toBeGreaterThan(before);
+    test(
+      `${name} is ${how} when the page starts`,
+      nightUnless(how === 'missing' && IN_EVERY_ENGINE.includes(name)),
+      async ({ page }) => {
+        const site = await storedSite();
+        site.refuse(file.pattern, how);
+        await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
         await fails(page, file);
-      }
-      site.refuse();
-      await TRIGGERS[how](page, file.message);
-      await works(page, 2);
-      await site.stop();
-    });
+        for (const [by, trigger] of Object.entries(TRIGGERS)) {
+          const refused = (): number => site.requested.filter((path) => file.pattern.test(`/${path}`)).length;
+          const before = refused();
+          await trigger(page, file.message);
+          await expect.poll(refused, `asked again after ${by}`).toBeGreaterThan(before);
+          await fails(page, file);
+        }
+        site.refuse();
+        await TRIGGERS[how](page, file.message);
+        await works(page, 2);
+        await site.stop();
+      },
+    );
   }
 }
 
@@ -129,21 +133,25 @@ test('the network returns while the editor is being retried', async ({ page, eng
 });
 
 for (const how of ['missing', 'closed', 'corrupted'] as const) {
-  test(`the library of the editor is ${how} when the page starts`, ofKind(how, true), async ({ page, engine }) => {
-    const site = await storedSite();
-    const library = { pattern: codeMirror(), message: 'The editor could not be loaded', status: /^2 motions/ };
-    site.refuse(library.pattern, how);
-    await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
-    await expect(notice(page, library.message)).toBeVisible();
-    site.refuse();
-    // Browsers cache the failure of a file imported by another file: all of them for a script with a syntax error,
-    // Firefox for every failure.
-    await TRIGGERS[how](page, library.message);
-    if (how === 'corrupted' || engine === 'firefox')
-      await notice(page, 'the page has to be reloaded').getByRole('button', { name: 'Reload' }).click();
-    await works(page, 2);
-    await site.stop();
-  });
+  test(
+    `the library of the editor is ${how} when the page starts`,
+    nightUnless(how === 'missing'),
+    async ({ page, engine }) => {
+      const site = await storedSite();
+      const library = { pattern: codeMirror(), message: 'The editor could not be loaded', status: /^2 motions/ };
+      site.refuse(library.pattern, how);
+      await page.goto(`${site.address}#${new URLSearchParams(WITH_SETUP)}`);
+      await expect(notice(page, library.message)).toBeVisible();
+      site.refuse();
+      // Browsers cache the failure of a file imported by another file: all of them for a script with a syntax error,
+      // Firefox for every failure.
+      await TRIGGERS[how](page, library.message);
+      if (how === 'corrupted' || engine === 'firefox')
+        await notice(page, 'the page has to be reloaded').getByRole('button', { name: 'Reload' }).click();
+      await works(page, 2);
+      await site.stop();
+    },
+  );
 }
 
 /** Runs before the scripts of the page: stores its workers in `workers`. */
@@ -203,7 +211,7 @@ test('after an error of the worker, the notice stays until a program has run', a
 });
 
 for (const how of ['missing', 'closed', 'corrupted'] as const) {
-  test(`an error of the worker while its script is ${how}`, ofKind(how, false), async ({ page }) => {
+  test(`an error of the worker while its script is ${how}`, { tag: '@night' }, async ({ page }) => {
     const site = await storedSite();
     const worker = FILES['the script of the worker']!;
     await open(page, site);
@@ -230,7 +238,7 @@ const LATER = {
 
 for (const [name, { program, motions }] of Object.entries(LATER)) {
   for (const how of ['missing', 'closed', 'corrupted'] as const) {
-    test(`the part for ${name} is ${how}`, ofKind(how, false), async ({ page }) => {
+    test(`the part for ${name} is ${how}`, { tag: '@night' }, async ({ page }) => {
       const site = await storedSite();
       const pattern = /\/early-[\w-]{8}\.wasm$/;
       site.refuse(pattern, how);
