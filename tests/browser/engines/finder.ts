@@ -290,8 +290,11 @@ export function watchClick(steps: readonly Step[]): void {
     event.composedPath().some((at) => at === element || (at instanceof HTMLLabelElement && at.control === element));
   let isMissed = false;
   const watch = (event: Event): void => {
-    if (event.type === 'pointerdown' || event.type === 'mousedown') isMissed = !isHit(event);
-    else if (event.type === 'click' && isHit(event)) own.arrived = true;
+    if (event.type === 'pointerdown' || event.type === 'mousedown') {
+      isMissed = !isHit(event);
+      // A button that acts on the press and disappears gets no `click`.
+      own.arrived = !isMissed;
+    }
     if (!isMissed) return;
     event.preventDefault();
     event.stopImmediatePropagation();
