@@ -280,10 +280,23 @@ class WebKitTab implements Tab {
       ...Array.from({ length: times }, () => once).flat(),
     );
   }
+  /** Repeats the action if no event arrives: the driver sometimes loses it. */
   async wheel(x: number, y: number, deltaX: number, deltaY: number): Promise<void> {
-    await this.call('POST', '/actions', {
-      actions: [{ type: 'wheel', id: 'wheel', actions: [{ type: 'scroll', x, y, deltaX, deltaY, duration: 0 }] }],
-    });
+    const watch = "addEventListener('wheel', () => (globalThis.wheelArrived = true), { capture: true, once: true })";
+    const hasArrived = async (): Promise<boolean> => {
+      for (let tries = 0; tries < 20; tries++) {
+        if ((await this.evaluate('globalThis.wheelArrived')) === true) return true;
+        await pause(25);
+      }
+      return false;
+    };
+    for (let tries = 0; tries < 4; tries++) {
+      await this.evaluate(`(globalThis.wheelArrived = false, ${watch})`);
+      await this.call('POST', '/actions', {
+        actions: [{ type: 'wheel', id: 'wheel', actions: [{ type: 'scroll', x, y, deltaX, deltaY, duration: 0 }] }],
+      });
+      if (await hasArrived()) return;
+    }
   }
   async chooseFile(expression: string, path: string): Promise<void> {
     const input = (await this.call('POST', '/execute/sync', { script: `return ${expression}`, args: [] })) as Record<

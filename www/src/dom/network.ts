@@ -41,7 +41,8 @@ export async function importWithRetry<Part>(load: () => Promise<Part>): Promise<
     }
     const imported = importIn(load);
     const address = imported && addressOf(imported.file, failed);
-    if (address === undefined) throw error;
+    // A browser that names no file, WebKit, does not cache a failed import.
+    if (address === undefined) return load();
     const importAgain = async (): Promise<Part> => {
       const chunk = (await import(/* @vite-ignore */ `${address}?again=${++retryCount}`)) as Readonly<
         Record<string, unknown>
