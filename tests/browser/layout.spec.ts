@@ -91,7 +91,7 @@ test('in a large window there are no tabs', async ({ page }) => {
   await expect(status(page)).toContainText('1 motion');
 });
 
-test('the controls of the playback row, and the readout over the drawing, do not overlap and are not cut off', async ({
+test('the controls of the playback row, and the readout over the drawing, do not overlap and are not cut off', { tag: '@one-engine' }, async ({
   page,
 }) => {
   await open(page);

@@ -322,7 +322,7 @@ test('a page that is left before its list is open continues when it is restored'
   await expect(items(page)).toHaveCount(1);
 });
 
-test('changes of another tab are not overwritten when the page of the program is restored', async ({
+test('changes of another tab are not overwritten when the page of the program is restored', { tag: '@night' }, async ({
   page,
   engine,
 }) => {
@@ -454,7 +454,7 @@ async function openListInHiddenTab(page: BasicPage): Promise<void> {
   await expect(list(page).getByRole('status')).not.toHaveText('');
 }
 
-test('a change of the same program in another tab is reported, and shown on request', async ({ page }) => {
+test('a change of the same program in another tab is reported, and shown on request', { tag: '@night' }, async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);
@@ -475,7 +475,7 @@ test('a change of the same program in another tab is reported, and shown on requ
   });
 });
 
-test('two tabs that change the same program keep both texts', async ({ page }) => {
+test('two tabs that change the same program keep both texts', { tag: '@night' }, async ({ page }) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);
@@ -534,7 +534,7 @@ const setRefusal = (page: Page, why: string): Promise<void> =>
     Reflect.set(window, 'refuses', why);
   }, why);
 
-test('a full storage is reported, the text stays, and is stored once there is room', async ({ page }) => {
+test('a full storage is reported, the text stays, and is stored once there is room', { tag: '@night' }, async ({ page }) => {
   await page.addInitScript(refusing);
   await open(page);
   await setRefusal(page, 'QuotaExceededError');

@@ -202,7 +202,7 @@ test('deleted work is not restored, except by undo', async ({ page }) => {
   await expect(page.getByText('Bring it back')).toHaveCount(0);
 });
 
-test('the link opens the newer work of another tab, and continues with the same program', async ({ page }) => {
+test('the link opens the newer work of another tab, and continues with the same program', { tag: '@night' }, async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
@@ -267,7 +267,7 @@ test('the task opens with any stored value in place of the work', { tag: '@night
   await isShown(page, first, done);
 });
 
-test('the newest of a hundred tasks are remembered', async ({ page }) => {
+test('the newest of a hundred tasks are remembered', { tag: '@night' }, async ({ page }) => {
   await open(page, first.link);
   const key = await page.evaluate(() => `gcode-playground:task:${location.pathname}`);
   await page.evaluate(
@@ -288,7 +288,7 @@ test('the newest of a hundred tasks are remembered', async ({ page }) => {
   expect(all.at(-1)).toBe(first.link.slice(-40));
 });
 
-test('a database that does not respond delays the picture only briefly', async ({ page }) => {
+test('a database that does not respond delays the picture only briefly', { tag: '@night' }, async ({ page }) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);
