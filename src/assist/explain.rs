@@ -14,7 +14,7 @@ use crate::setup::Machine;
 use crate::units::Diameter;
 
 /// Maximum number of plain moves that are listed individually.
-const NAMED: usize = 3;
+const MAX_LISTED: usize = 3;
 
 /// One step of a block, with programmed positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,9 +69,10 @@ pub enum Action {
 pub struct Explanation {
     /// The steps, in order.
     pub actions: Vec<Action>,
-    /// The feed of its cuts, if it is the same for all.
+    /// The feed of its cuts that are not threads, if it is the same for all.
     pub feed: Option<Quantity>,
-    /// Duration, if known; `None` for a dwell, whose step contains it.
+    /// Duration. `None` for a dwell, whose step contains it; if the time of a motion other than a rapid is
+    /// unknown; and if nothing is cut and a rapid has no known speed.
     pub time: Option<Quantity>,
     /// Whether the time excludes rapids, because no rapid speed is given.
     pub without_rapids: bool,
@@ -79,30 +80,30 @@ pub struct Explanation {
 
 impl Explanation {
     /// Explains the motions of one execution of a block.
-    pub fn of(own: &[Motion], machine: &Machine) -> Self {
-        let moves = as_programmed(own);
+    pub fn of(motions: &[Motion], machine: &Machine) -> Self {
+        let moves = as_programmed(motions);
         let (Some(first), Some(last)) = (moves.first(), moves.last()) else { return Self::default() };
         let cycle = moves.iter().find_map(|motion| motion.cycle);
         let actions = match cycle {
             Some(step) => of_cycle(step.cycle, &moves, first.from),
-            None if moves.len() > NAMED => {
+            None if moves.len() > MAX_LISTED => {
                 vec![Action::Moves(moves.len() as u32, place_of(first, 0.0), place_of(last, 1.0))]
             }
             None => moves.iter().flat_map(plain).collect(),
         };
         let (mut seconds, mut is_known, mut without_rapids) = (0.0, true, false);
-        for motion in own {
+        for motion in motions {
             match timing::seconds(motion, machine) {
-                Some(own) => seconds += own,
+                Some(duration) => seconds += duration,
                 None if motion.kind == MotionKind::Rapid => without_rapids = true,
                 None => is_known = false,
             }
         }
-        let cuts = own.iter().any(|motion| motion.kind.cuts());
+        let cuts = motions.iter().any(|motion| motion.kind.cuts());
         let is_dwell = matches!(actions[..], [Action::Dwell(_)]);
         let time = (is_known && !is_dwell && (cuts || !without_rapids))
-            .then_some(Quantity::Seconds(rounded(seconds)));
-        Self { actions, feed: feed_of_all(own), time, without_rapids }
+            .then_some(Quantity::Seconds(rounded_seconds(seconds)));
+        Self { actions, feed: feed_of_all(motions), time, without_rapids }
     }
 }
 
@@ -122,20 +123,22 @@ impl Query<'_> {
 /// Start (`t` = 0) or end (`t` = 1) of a motion.
 fn place_of(motion: &Motion, t: f64) -> Place {
     match motion.virtual_move() {
-        Some(own) => Place::on(&own, t),
+        Some(virtual_move) => Place::on(&virtual_move, t),
         None => Place::turning(if t == 0.0 { motion.from } else { motion.to }),
     }
 }
 
 /// Steps of a plain move: first in the plane of the path, then along the other axes.
 fn plain(motion: &Motion) -> Vec<Action> {
-    let own = motion.virtual_move();
-    let path = match &own {
-        Some(own) => Some(in_virtual_plane(motion, own)),
+    let virtual_move = motion.virtual_move();
+    let path = match &virtual_move {
+        Some(virtual_move) => Some(in_virtual_plane(motion, virtual_move)),
         None if motion.is_turn() && motion.from.is_same(motion.to) => None,
         None => Some(in_plane(motion)),
     };
-    let y = own.filter(VirtualMove::has_y).map(|own| (own.y_at(0.0), own.y_at(1.0)));
+    let y = virtual_move
+        .filter(VirtualMove::has_y)
+        .map(|virtual_move| (virtual_move.y_at(0.0), virtual_move.y_at(1.0)));
     let along_y = y.filter(|(from, to)| from != to);
     let along_y = along_y.map(|(from, to)| Action::AlongY(Quantity::Length(from), Quantity::Length(to)));
     let turned = motion.rotary.filter(|rotary| rotary.from != rotary.to);
@@ -144,12 +147,17 @@ fn plain(motion: &Motion) -> Vec<Action> {
 }
 
 /// A move in the plane of G12.1 or G07.1, or on a machine with a Y axis.
-fn in_virtual_plane(motion: &Motion, own: &VirtualMove) -> Action {
-    let (from, to) = (Place::on(own, 0.0), Place::on(own, 1.0));
-    match own.way {
+fn in_virtual_plane(motion: &Motion, virtual_move: &VirtualMove) -> Action {
+    let (from, to) = (Place::on(virtual_move, 0.0), Place::on(virtual_move, 1.0));
+    match virtual_move.way {
         _ if motion.kind == MotionKind::Rapid => Action::Rapid(from, to),
-        Way::Arc(arc) => Action::Arc(to, Quantity::Length(arc.radius()), is_clockwise(motion, Some(own))),
-        Way::Line(..) => Action::Straight(from, to, Quantity::Length((own.length() * 100.0).round() / 100.0)),
+        Way::Arc(arc) => {
+            Action::Arc(to, Quantity::Length(arc.radius()), is_clockwise(motion, Some(virtual_move)))
+        }
+        Way::Line(..) => {
+            let length = (virtual_move.length() * 100.0).round() / 100.0;
+            Action::Straight(from, to, Quantity::Length(length))
+        }
     }
 }
 
@@ -176,23 +184,24 @@ fn in_plane(motion: &Motion) -> Action {
     }
 }
 
-fn of_cycle(cycle: Cycle, own: &[Motion], start: Point) -> Vec<Action> {
-    let with =
-        |wanted: Step| own.iter().filter(move |motion| motion.cycle.is_some_and(|step| step.step == wanted));
+fn of_cycle(cycle: Cycle, motions: &[Motion], start: Point) -> Vec<Action> {
+    let with = |wanted: Step| {
+        motions.iter().filter(move |motion| motion.cycle.is_some_and(|step| step.step == wanted))
+    };
     let cuts: Vec<&Motion> = with(Step::Cut).filter(|motion| motion.kind.cuts()).collect();
     let contour = with(Step::Contour).filter(|motion| motion.kind.cuts());
     let length: f64 = contour.map(Motion::length).sum();
     let along = Action::Contour(Quantity::Length((length * 100.0).round() / 100.0));
     let has_contour = along != Action::Contour(Quantity::Length(0.0));
-    let passes = number_of_passes(own);
+    let passes = number_of_passes(motions);
     let Some(last) = cuts.last() else {
         return match cycle {
             Cycle::Pattern => vec![Action::Pattern(cycle, passes)],
             _ if has_contour => vec![along],
             _ => vec![Action::Moves(
-                own.len() as u32,
+                motions.len() as u32,
                 Place::turning(start),
-                Place::turning(own[own.len() - 1].to),
+                Place::turning(motions[motions.len() - 1].to),
             )],
         };
     };
@@ -232,8 +241,8 @@ fn of_cycle(cycle: Cycle, own: &[Motion], start: Point) -> Vec<Action> {
             let mut places: Vec<f64> = cuts.iter().map(|motion| across(motion.from)).collect();
             places.dedup_by(|a, b| (*a - *b).abs() <= SAME);
             let depths: Vec<f64> = places.windows(2).map(|two| (two[0] - two[1]).abs()).collect();
-            // The first pass begins at the start point, which roughing shifts by the allowance; the last pass
-            // cuts the rest.
+            // Not compared: the first pass, whose depth includes the allowance, and the last, which cuts the
+            // rest.
             let each = depths.first().copied().unwrap_or_default();
             let is_even = depths.iter().rev().skip(1).all(|depth| (depth - each).abs() <= 1e-3);
             let mut actions = vec![if is_even && !depths.is_empty() {
@@ -256,31 +265,31 @@ fn of_cycle(cycle: Cycle, own: &[Motion], start: Point) -> Vec<Action> {
 }
 
 /// Number of passes of this block. Pass numbers continue while a cycle is modal.
-fn number_of_passes(own: &[Motion]) -> u32 {
-    let passes = own.iter().filter_map(|motion| motion.cycle.map(|step| step.pass)).filter(|pass| *pass > 0);
+fn number_of_passes(motions: &[Motion]) -> u32 {
+    let passes =
+        motions.iter().filter_map(|motion| motion.cycle.map(|step| step.pass)).filter(|pass| *pass > 0);
     let (mut least, mut most) = (u32::MAX, 0);
     for pass in passes {
         (least, most) = (least.min(pass), most.max(pass));
     }
+    // 0 without passes: `least` is then `u32::MAX`.
     (most + 1).saturating_sub(least)
 }
 
-/// The feed of the cuts, if it is the same for all.
-fn feed_of_all(own: &[Motion]) -> Option<Quantity> {
-    let mut feeds =
-        own.iter().filter(|motion| motion.kind.cuts() && motion.kind != MotionKind::Thread).map(|motion| {
-            match motion.process.feed {
-                Feed::Unset => None,
-                Feed::PerMinute(feed) => Some(Quantity::FeedPerMinute(feed)),
-                Feed::PerTurn(feed) => Some(Quantity::FeedPerTurn(feed)),
-            }
-        });
+/// The feed of the cuts that are not threads, if it is the same for all.
+fn feed_of_all(motions: &[Motion]) -> Option<Quantity> {
+    let cuts = motions.iter().filter(|motion| motion.kind.cuts() && motion.kind != MotionKind::Thread);
+    let mut feeds = cuts.map(|motion| match motion.process.feed {
+        Feed::Unset => None,
+        Feed::PerMinute(feed) => Some(Quantity::FeedPerMinute(feed)),
+        Feed::PerTurn(feed) => Some(Quantity::FeedPerTurn(feed)),
+    });
     let first = feeds.next()??;
     feeds.all(|feed| feed == Some(first)).then_some(first)
 }
 
 /// Rounds to 0.1 s, or to 0.01 s below one second.
-fn rounded(seconds: f64) -> f64 {
+fn rounded_seconds(seconds: f64) -> f64 {
     let places = if seconds < 1.0 { 100.0 } else { 10.0 };
     (seconds * places).round() / places
 }

@@ -24,7 +24,8 @@ use crate::units::Diameter;
 /// A value in force.
 #[derive(Clone, Debug, PartialEq)]
 pub enum InForce {
-    /// A code as the control writes it, and its row in the table of codes.
+    /// A code as the control writes it, its row in the table of codes, and its meaning if the row describes
+    /// several codes.
     Code(String, Option<Function>, Option<Role>),
     /// A number.
     Quantity(Quantity),
@@ -34,7 +35,7 @@ pub enum InForce {
     Tool(u16, u16),
     /// A value with a name.
     Role(Role),
-    /// No value yet.
+    /// No value, or off.
     Nothing,
 }
 
@@ -47,14 +48,14 @@ pub struct Row {
     pub before: InForce,
     /// Value after the block.
     pub after: InForce,
-    /// First byte of the block that set the value; `None` if it is as at power-on.
+    /// First byte of the block that set the value; `None` if it is unchanged since power-on.
     pub since: Option<u32>,
 }
 
-/// Position of the tip along one axis.
+/// Position of one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisRow {
-    /// `X`, `Z`, `C`.
+    /// `X`, `Y`, `Z` or `C`.
     pub axis: char,
     /// Position before the block.
     pub before: Quantity,
@@ -71,7 +72,7 @@ pub struct VariableRow {
     pub before: Option<f64>,
     /// Value after the block.
     pub after: Option<f64>,
-    /// First byte of the block that set it.
+    /// First byte of the block that set the value; `None` if no block has set it.
     pub since: Option<u32>,
 }
 
@@ -101,15 +102,15 @@ pub enum Frame {
 /// The state of the control at a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateTable {
-    /// Number of this visit of the block.
+    /// Number of this visit of the block, from 1. A visit is an execution, or a reading by a cycle.
     pub number: u32,
-    /// Number of visits in the run.
+    /// Number of visits of the block in the run.
     pub times: u32,
-    /// Number of this execution; 0 if a cycle only reads the block.
+    /// Number of this execution, from 1; 0 if a cycle only reads the block.
     pub carried_out: u32,
-    /// The cycle that reads the block as a part of its contour.
+    /// Why a cycle reads the block as a part of its contour; `None` if the block is executed.
     pub purpose: Option<ContourUse>,
-    /// Position of the tip.
+    /// Positions of the axes.
     pub axes: Vec<AxisRow>,
     /// Spindle speed and cutting speed after the block, if known.
     pub speeds: Option<(Quantity, Quantity)>,
@@ -124,7 +125,7 @@ pub struct StateTable {
 }
 
 /// Maximum number of variables shown.
-const VARIABLES: usize = 200;
+const MAX_VARIABLES: usize = 200;
 
 impl Query<'_> {
     /// The state before and after the block; `None` if it is never executed.
@@ -166,7 +167,7 @@ impl Query<'_> {
     }
 }
 
-/// The value whose presence also shows this one: they belong to the same cycle.
+/// Another value of the same cycle: if the program has set it, this one is shown, too.
 fn goes_with(modal: Modal) -> Option<Modal> {
     match modal {
         Modal::Escape => Some(Modal::Depth),
@@ -334,8 +335,8 @@ fn variables(visit: &Visit) -> (Vec<VariableRow>, usize) {
     let (changed, same): (Vec<_>, Vec<_>) = rows.drain(..).partition(|row| row.before != row.after);
     rows.extend(changed);
     rows.extend(same);
-    let hidden = rows.len().saturating_sub(VARIABLES);
-    rows.truncate(VARIABLES);
+    let hidden = rows.len().saturating_sub(MAX_VARIABLES);
+    rows.truncate(MAX_VARIABLES);
     (rows, hidden)
 }
 

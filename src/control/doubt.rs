@@ -2,7 +2,7 @@
 //! call of a missing program.
 //!
 //! Only dependent values are uncertain: each axis until the program gives its position again, the kind of
-//! move until a code of group 01. Plain values, part of [`super::modal::State`].
+//! move until a code of group 01. Part of [`super::modal::State`].
 
 /// A part of the state that may be wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,14 +14,15 @@ pub enum Doubt {
     Z,
     /// The angle of C.
     C,
-    /// The tip is outside the plane of X and Z, in which everything is drawn.
+    /// The drawn path: the tip is not at Y0, where the path is drawn.
     Y,
-    /// The path of the next move: it may begin elsewhere.
+    /// The path of the next move: its code or a word that shapes it (I, K, R or A) is unknown, or it may
+    /// start at another point.
     Path,
-    /// Group 01, until the next code of the group.
+    /// The code of group 01, until the next one.
     Code,
-    /// Values that a cycle keeps from earlier blocks: the position of G90 to G94, the parameters of G71 to
-    /// G76.
+    /// Values that a cycle keeps from earlier blocks: the end point and taper of G90, G92 and G94, the
+    /// parameters of G71 to G76.
     Cycle,
     /// The running cycle: an error in its blocks or contour was reported.
     Contour,

@@ -1,8 +1,8 @@
 //! What happens while a program runs, as events for an observer: the lints.
 //!
 //! In: the interpreter announces each action when it performs it. Out: the diagnostics of the observer. The
-//! state of the control contains the observer, so that both are stored, compared and moved together; the
-//! control knows nothing of the observer's own state. A run without an observer makes no events.
+//! observer is stored with the state of the control: a snapshot contains both. The control does not use the
+//! observer's own state. A run without an observer makes no events.
 
 use std::any::Any;
 use std::fmt;
@@ -30,7 +30,7 @@ use crate::text::block::{Block, Word};
 
 /// The context of an event.
 pub struct EventContext<'a> {
-    /// The program; empty if the event names no word.
+    /// The program. May be empty for an event without a [`Word`] or [`Words`].
     pub text: &'a [u8],
     /// The state of the control.
     pub state: &'a State,
@@ -40,7 +40,7 @@ pub struct EventContext<'a> {
     pub dialect: &'a Dialect,
     /// Motions and messages of the run up to now.
     pub sink: &'a Sink,
-    /// Why the contour is read, while one is.
+    /// Why a cycle is reading the current block as part of its contour; `None` outside contours.
     pub contour: Option<ContourUse>,
 }
 
@@ -109,7 +109,7 @@ pub struct SinglePass<'a> {
 }
 
 impl<'a> SinglePass<'a> {
-    /// The pass as a pass of a thread, if it is one.
+    /// The thread pass; `None` for G90 and G94.
     pub fn thread(&self, at: &EventContext) -> Option<ThreadPass<'a>> {
         let &Self { block, words, start, end, starts, .. } = self;
         let start = Point::new(end.x + at.state.memory.taper, start.z);
@@ -142,12 +142,12 @@ pub struct ThreadPass<'a> {
 pub enum ThreadSource {
     /// A move (G32 to G34).
     Move,
-    /// A pass of G92. It starts from the axis if `outwards`: a bore.
+    /// A pass of G92.
     Pass {
-        /// A larger X is deeper.
+        /// Whether it cuts away from the spindle axis, as in a bore: a larger X is deeper.
         outwards: bool,
     },
-    /// All passes of G76.
+    /// G76: all of its passes.
     Passes,
 }
 
@@ -158,7 +158,7 @@ pub struct CompensatedMove<'a> {
     pub before: Option<&'a Motion>,
     /// The move as it is programmed.
     pub motion: &'a Motion,
-    /// Compensation begins or ends with this move.
+    /// Whether compensation begins or ends with this move.
     pub begins_or_ends: bool,
     /// The words of its block.
     pub words: Span,
@@ -168,7 +168,7 @@ pub struct CompensatedMove<'a> {
 
 /// A cycle that reads a contour, with that contour.
 #[derive(Clone, Copy)]
-pub struct ContourCall<'a, How> {
+pub struct ContourCall<'a, Parameters> {
     /// The cycle block.
     pub block: &'a Block,
     /// Its words.
@@ -182,7 +182,7 @@ pub struct ContourCall<'a, How> {
     /// Span of its last block with a move.
     pub last_span: Option<Span>,
     /// The parameters of the cycle.
-    pub how: &'a How,
+    pub how: &'a Parameters,
 }
 
 /// G70, with its contour.
@@ -190,11 +190,11 @@ pub struct ContourCall<'a, How> {
 pub struct FinishingCall<'a> {
     /// The cycle block.
     pub block: &'a Block,
-    /// Contour cycles up to this one, which is last.
+    /// The contour cycles of the run so far; the last one is this G70.
     pub landmarks: &'a [Landmarks],
     /// Ends of the moves along the contour.
     pub ends: &'a [Point],
-    /// Whether the last of them is a rapid.
+    /// Whether the last move of the contour is a rapid.
     pub leaves_at_rapid: bool,
 }
 
@@ -207,52 +207,54 @@ pub struct ThreadingCall<'a> {
     pub words: &'a Words<'a>,
     /// Where the cycle starts.
     pub start: Point,
-    /// The thread.
+    /// The parameters of the cycle.
     pub how: &'a MultiThread,
-    /// Its lead.
+    /// Lead of the thread.
     pub lead: f64,
     /// Angle of the tool, degrees.
     pub angle: f64,
-    /// It is written as one block.
+    /// Whether it is the one-block form of G76.
     pub one_block: bool,
 }
 
 /// Something that happens. Where a code or word changes the state, the event is sent before the change,
 /// unless its comment says otherwise.
 #[derive(Clone, Copy)]
-#[allow(missing_docs, reason = "the fields are named in the line of their event")]
+#[allow(missing_docs, reason = "the comment of an event describes its fields")]
 pub enum Event<'a> {
     /// G98 or G99 (G94 or G95 of the other systems).
     FeedMode(FeedMode),
     /// G40, G41 or G42.
     Compensation,
-    /// A different code of group 01 comes into force, other than a cycle.
+    /// A code of group 01 other than a cycle comes into force. `mode`: the new code, which differs from the
+    /// previous one.
     MotionCode { mode: MotionMode },
     /// The code of a single cycle comes into force, possibly again.
     CycleCode { cycle: Single, block: &'a Block, words: &'a Words<'a> },
-    /// A one-shot code other than a dwell: single cycles forget their values.
+    /// A one-shot code other than a dwell. Sent after the values of single cycles were cleared.
     OneShot,
-    /// A move to a machine position: G27, G28, G30, G53.
+    /// G27, G28, G30 or G53 with a word of X or Z: a move to a machine position. G28 and G30 also send
+    /// `Home`, after this event.
     MachinePlace { block: &'a Block },
-    /// G28 or G30 is carried out.
+    /// G28 or G30 is carried out, with or without a word of an axis.
     Home,
-    /// An M code; `known` is its meaning on this control.
+    /// An M code. `known`: its meaning; `None` if it has no known meaning.
     MCode { number: u64, known: Option<M>, word: &'a Word },
     /// F, in a block without a macro call.
     Feed,
     /// S outside of G50.
     SpindleSpeed { value: f64, word: &'a Word },
-    /// G96 or G97.
+    /// G96 (`surface`) or G97.
     SpeedMode { surface: bool, block: &'a Block, words: &'a Words<'a> },
     /// G50 S.
     HighestSpeed { word: &'a Word },
-    /// T, after it came into force; `before` was in force; `goes_home`: the block also goes to the reference
-    /// point.
+    /// T, sent after the change. `before`: station and offset before it; `goes_home`: the block also goes to
+    /// the reference point (G28, G30).
     Tool { word: &'a Word, before: (u16, u16), goes_home: bool },
-    /// M05 takes effect.
+    /// M05 takes effect. `moved`: the block also has a move.
     SpindleStops { block: &'a Block, moved: bool },
     /// A cut at a feed rate greater than zero begins. Sent only if an event since the previous cut matters
-    /// for cuts ([`Event::matters_for_cuts`]).
+    /// for cuts ([`Event::matters_for_cuts`]). `feed`: the F in force.
     Cut { block: &'a Block, words: &'a Words<'a>, feed: f64 },
     /// A cut begins before any F.
     CutWithoutFeed { block: &'a Block },
@@ -261,28 +263,28 @@ pub enum Event<'a> {
     /// A block has words that the control ignores; `unread` contains their letters. `code`: the code of the
     /// block, which does not read them; `None` if the block has no such code.
     UnreadWords { block: &'a Block, words: &'a Words<'a>, unread: u32, code: Option<&'static str> },
-    /// G04 waits, s.
+    /// G04 waits.
     Dwell { words: &'a Words<'a>, seconds: f64 },
     /// A word is ignored because its variable is vacant.
     VacantWord { word: &'a Word },
     /// A loop begins (`enter`), or is skipped because the condition of its WHILE is false.
     While { statement: Span, enter: bool },
-    /// A move in a straight line at feed while compensation is on, mm.
+    /// A move in a straight line at feed while compensation is on. `to`: its end, in mm, X as a radius.
     CompensatedLine { block: &'a Block, to: Point },
-    /// A move in a straight line, at rapid or feed, from a point on the spindle axis, where a drill or tap
-    /// is. mm.
+    /// A straight move, at rapid or feed, that starts on the spindle axis, as a drill or tap does. `to`: its
+    /// end, in mm, X as a radius.
     FromAxis { block: &'a Block, to: Point },
-    /// The F in force is used as the lead of a thread, mm.
+    /// The F in force is used as the lead of a thread. `feed`: this lead, in mm.
     LeadOfFeed { block: &'a Block, code: &'static str, feed: f64 },
-    /// A thread begins; `to` is the end for G32 to G34, whose path is known. mm.
+    /// A thread begins. `to`: its end for G32 to G34, whose path is known, in mm, X as a radius.
     Thread { block: &'a Block, code: &'static str, to: Option<Point> },
     /// G32 to G34 cut from the position of the tip.
     ThreadMove { pass: ThreadPass<'a>, code: &'static str },
-    /// A pass of G76.
+    /// The thread of a G76, as one cut.
     ThreadPass(ThreadPass<'a>),
     /// I in a G92 on a control that writes the taper with R.
     OldTaperWord { words: &'a Words<'a> },
-    /// A block of a single cycle without an axis makes no motion.
+    /// A block of a single cycle without an axis makes no motion. `taper`: the word of the taper, if any.
     CycleWithoutAxis { words: &'a Words<'a>, cycle: Single, taper: Option<&'a Word> },
     /// A pass of a single cycle is about to be cut.
     SinglePass(SinglePass<'a>),
@@ -290,37 +292,38 @@ pub enum Event<'a> {
     MultipleCycle { block: &'a Block, cycle: Multiple },
     /// F, S or T in a contour that is read for roughing.
     IgnoredInRoughing { address: u8, words: &'a Words<'a> },
-    /// P and Q of a contour cycle name a contour.
+    /// P and Q of a contour cycle name a contour. `purpose`: why the cycle reads it; `named`: P and Q.
     ContourNamed { purpose: ContourUse, named: (u32, u32) },
     /// G70 follows its contour.
     Finishing(FinishingCall<'a>),
-    /// G71 or G72 has read its contour.
+    /// G71 or G72 has read its contour; its passes are not computed yet.
     RoughingCalled(ContourCall<'a, Roughing>),
     /// G71 or G72 has computed its passes.
     Roughing(ContourCall<'a, Roughing>),
-    /// G73 has read its contour.
+    /// G73 has read its contour; its passes are not computed yet.
     Pattern(ContourCall<'a, Pattern>),
     /// G76 has computed its passes.
     Threading(ThreadingCall<'a>),
-    /// A hole or a move in a virtual plane needs a live tool.
+    /// A hole needs a live tool.
     Milling { block: &'a Block },
     /// A hole is tapped on the axis of the spindle.
     TapOnAxis { block: &'a Block },
     /// A move in a virtual plane.
     PlaneMove { block: &'a Block, words: &'a Words<'a>, plane: VirtualPlane },
-    /// C moves.
+    /// C moves. `span`: its word, or the block.
     CAxis { span: Span },
-    /// The path passes the centre of the face at this distance, mm.
+    /// A path of polar interpolation. `distance`: its smallest distance to the centre of the face, in mm.
     NearCenter { distance: f64, words: Span },
     /// A move is compensated.
     Compensated(CompensatedMove<'a>),
-    /// The words of a block are carried out while compensation is active, or ends.
+    /// The words of a block were carried out while compensation was active, or ended. `moved`: the block has
+    /// a move.
     CompensatedBlock { block: &'a Block, moved: bool },
     /// A block was not carried out.
     LeftOut,
     /// The settings that a block or program makes are unknown.
     SettingsUnknown,
-    /// M02 or M30; `end` is its word.
+    /// M02 or M30. `end`: the last M word of the block.
     ProgramEnds { end: Option<&'a Word> },
     /// Nothing is left to carry out.
     RunEnds,
@@ -362,14 +365,14 @@ pub trait Observer: Any {
     /// Moves the spans it holds after a change of the text before them.
     fn shift(&mut self, shift: &Shift);
 
-    /// Whether the message of a block that begins in `changed` depends on later blocks.
+    /// Whether it still holds back a message about a block or word that begins in `changed`.
     fn waits_for(&self, changed: Range<u32>) -> bool;
 
-    /// Called before a contour is read, after which the state is restored. Returns the observer that continues
-    /// after the contour; this one observes the contour.
+    /// Called before the blocks of a contour are read. This observer sees them; the returned copy, without
+    /// what they did, replaces it afterwards.
     fn fork_for_contour(&mut self) -> Box<dyn Observer>;
 
-    /// Replaces `before` from here on; what `before` has reported counts as reported here, too.
+    /// Called when this observer replaces `before`: what `before` has reported is not reported again.
     fn inherit_reported(&mut self, before: &mut dyn Observer);
 }
 

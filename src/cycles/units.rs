@@ -1,8 +1,8 @@
-//! The unit of P and Q in G74, G75 and G76: micrometres, as on controls (GSK980TDb pp. 119, 135), or
-//! millimetres, as in seed 003.
+//! The unit of P and Q in G74, G75 and G76: least increments, as on controls (GSK980TDb pp. 119, 135), or
+//! millimetres, as in an article on G70 to G76 (seed 003 in the glossary).
 //!
 //! In: the lengths in least increments, and whether the words have a decimal point. Out: the unit and the
-//! reason. Only used if the setup leaves the unit open. Must not know words.
+//! reason. Only used if the setup leaves the unit open. The caller reads the words.
 
 use super::grooving::steps;
 use crate::geometry::Point;
@@ -40,7 +40,7 @@ impl Amount {
 /// The unit of P and Q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// Least increments, as in the manuals.
+    /// Least increments, 0.001 mm or 0.0001 inch, as in the manuals.
     Micrometres,
     /// Millimetres (inches in an inch program), contrary to the manuals (W-PQ-UNIT).
     Millimetres(Because),
@@ -57,14 +57,14 @@ pub enum Because {
     TooThin,
 }
 
-/// A smaller number of micrometres, in mm, may be meant as millimetres.
-const FEW: f64 = 0.05;
+/// P and Q shorter than this, mm, may have been meant as millimetres: `Q5` is 0.005 mm.
+const SUSPICIOUS_LENGTH: f64 = 0.05;
 
 /// More pecks or columns than this are not intended.
 const MANY_STEPS: f64 = 200.0;
 
-/// Thinnest first pass of a thread, mm.
-const THIN: f64 = 0.02;
+/// Minimum depth of the first pass of a thread, mm; a thinner pass would only scratch.
+const MIN_FIRST_PASS: f64 = 0.02;
 
 /// Reads P (along X) and Q (along Z) of G74 or G75 from `start` to `end`.
 pub fn pecking(start: Point, end: Point, p: Option<Amount>, q: Option<Amount>) -> Reading {
@@ -74,7 +74,7 @@ pub fn pecking(start: Point, end: Point, p: Option<Amount>, q: Option<Amount>) -
     let too_many = |amount: Option<Amount>, way: f64| {
         amount.is_some_and(|amount| {
             let length = amount.in_increments;
-            length > 0.0 && length < FEW && steps(way, length) > MANY_STEPS
+            length > 0.0 && length < SUSPICIOUS_LENGTH && steps(way, length) > MANY_STEPS
         })
     };
     if too_many(p, end.x - start.x) || too_many(q, end.z - start.z) {
@@ -94,8 +94,9 @@ pub fn threading(
     if has_point([least_depth, height, first_depth]) {
         return Reading::Millimetres(Because::Point);
     }
-    let thin = first_depth.is_some_and(|first| first.in_increments > 0.0 && first.in_increments < THIN);
-    if thin && height.is_none_or(|height| height.in_increments < FEW) {
+    let thin =
+        first_depth.is_some_and(|first| first.in_increments > 0.0 && first.in_increments < MIN_FIRST_PASS);
+    if thin && height.is_none_or(|height| height.in_increments < SUSPICIOUS_LENGTH) {
         return Reading::Millimetres(Because::TooThin);
     }
     Reading::Micrometres
@@ -124,7 +125,7 @@ mod tests {
         let read =
             |x: f64, z: f64, p, q| pecking(Point::new(21.0, 22.0), Point::new(21.0 + x, 22.0 + z), p, q);
         let many = Reading::Millimetres(Because::TooManySteps);
-        // Seed 003: `G74 Z-12 Q5` from Z2, `G75 X30 Z10 P3 Q2.9`.
+        // Blocks of seed 003: `G74 Z-12 Q5` from Z2, `G75 X30 Z10 P3 Q2.9`.
         assert_eq!(read(0.0, -14.0, None, whole(5)), many);
         assert_eq!(read(-6.0, -12.0, whole(3), point(2.9)), Reading::Millimetres(Because::Point));
         assert_eq!(read(-6.0, -12.0, whole(3), whole(2900)), many);

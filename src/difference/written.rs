@@ -1,7 +1,9 @@
-//! Normalises blocks for comparison: words without N number, white space, case and number format.
+//! Normalises blocks for comparison. N numbers, white space and case do not count; in blocks without errors
+//! and macro expressions the format of numbers does not count either.
 //!
 //! In: a text. Out: its blocks, each with the index of its [`Keys`] entry: blocks with the same index have
-//! the same text. Comments are compared, blank lines are not. Must not know the meaning of a word.
+//! the same normalised text. Comments are compared word by word, with their case; blank lines are left out.
+//! Must not know the meaning of a word.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -12,40 +14,42 @@ use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::lexer::Number;
 use crate::text::parser::Parser;
 
-/// Whether a decimal point in a number matters.
+/// Whether `X50` and `X50.` are different.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Points {
-    /// Yes: `X50` is a thousandth of `X50.`.
+    /// They are different: without a point, `X50` is a thousandth of `X50.`.
     Count,
-    /// No: both are the same.
+    /// They are the same.
     Aside,
 }
 
 /// Separator between the words of a key; no word contains it.
-const BETWEEN: u8 = 0;
+const SEPARATOR: u8 = 0;
 
-/// The distinct blocks of both texts, as lists of words.
+/// The distinct normalised blocks of both texts. A key is the list of the words of a block, separated by
+/// [`SEPARATOR`].
 #[derive(Default)]
 pub(super) struct Keys {
-    numbers: HashMap<Rc<[u8]>, u32>,
+    /// The index of each key in `keys`.
+    indices: HashMap<Rc<[u8]>, u32>,
     keys: Vec<Rc<[u8]>>,
 }
 
 impl Keys {
-    fn number(&mut self, key: &[u8]) -> u32 {
-        if let Some(&number) = self.numbers.get(key) {
-            return number;
+    fn index(&mut self, key: &[u8]) -> u32 {
+        if let Some(&index) = self.indices.get(key) {
+            return index;
         }
-        let number = self.keys.len() as u32;
+        let index = self.keys.len() as u32;
         let key = Rc::<[u8]>::from(key);
-        self.numbers.insert(Rc::clone(&key), number);
+        self.indices.insert(Rc::clone(&key), index);
         self.keys.push(key);
-        number
+        index
     }
 
     /// The words of a block.
-    pub(super) fn words(&self, number: u32) -> impl Iterator<Item = &[u8]> + Clone {
-        self.keys[number as usize].split(|&byte| byte == BETWEEN).filter(|word| !word.is_empty())
+    pub(super) fn words(&self, index: u32) -> impl Iterator<Item = &[u8]> + Clone {
+        self.keys[index as usize].split(|&byte| byte == SEPARATOR).filter(|word| !word.is_empty())
     }
 }
 
@@ -95,7 +99,7 @@ pub(super) fn written(text: &[u8], points: Points, keys: &mut Keys) -> Written {
             all.sequences.entry(number).or_insert(all.places.len());
         }
         all.places.push(Place { span: block.span, line: block.line });
-        all.numbers.push(keys.number(&key));
+        all.numbers.push(keys.index(&key));
     }
     all
 }
@@ -109,32 +113,32 @@ fn write_key(text: &[u8], block: &Block, points: Points, key: &mut Vec<u8>) {
         BlockKind::Words | BlockKind::Macro => write_raw(text, block, key),
     }
     for comment in &block.comments {
-        key.push(BETWEEN);
+        key.push(SEPARATOR);
         let words = comment.of(text).split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
         for (index, word) in words.enumerate() {
             if index > 0 {
                 key.push(b' ');
             }
-            key.extend(word.iter().filter(|&&byte| byte != BETWEEN));
+            key.extend(word.iter().filter(|&&byte| byte != SEPARATOR));
         }
     }
 }
 
 fn write_words(block: &Block, points: Points, key: &mut Vec<u8>) {
     if let Some(level) = block.delete {
-        key.extend([b'/', b'0' + level % 10, BETWEEN]);
+        key.extend([b'/', b'0' + level % 10, SEPARATOR]);
     }
     if let Some((number, _)) = block.program {
         key.push(b'O');
         key.extend(number.to_string().bytes());
-        key.push(BETWEEN);
+        key.push(SEPARATOR);
     }
     for (index, word) in block.words.iter().enumerate() {
         if let Some((_, level)) = block.optional.filter(|(first, _)| *first == index) {
-            key.extend([b'/', b'0' + level % 10, BETWEEN]);
+            key.extend([b'/', b'0' + level % 10, SEPARATOR]);
         }
         write_word(word, points, key);
-        key.push(BETWEEN);
+        key.push(SEPARATOR);
     }
 }
 
@@ -152,12 +156,14 @@ fn write_word(word: &Word, points: Points, key: &mut Vec<u8>) {
         key.push(b'-');
     }
     key.extend(mantissa.to_string().bytes());
+    // `12.5` is `125e1`.
     if decimals > 0 {
         key.push(b'e');
         key.extend(decimals.to_string().bytes());
     }
-    let is_code = matches!(word.address, b'G' | b'M' | b'T' | b'S');
-    if points == Points::Count && number.has_point() && !is_code {
+    // A decimal point does not change the value of a code, a tool or a speed.
+    let ignores_point = matches!(word.address, b'G' | b'M' | b'T' | b'S');
+    if points == Points::Count && number.has_point() && !ignores_point {
         key.push(b'.');
     }
 }
@@ -182,6 +188,6 @@ fn write_raw(text: &[u8], block: &Block, key: &mut Vec<u8>) {
 }
 
 fn push_raw(text: &[u8], key: &mut Vec<u8>) {
-    let counts = |byte: &&u8| !byte.is_ascii_whitespace() && **byte != BETWEEN && **byte != b';';
+    let counts = |byte: &&u8| !byte.is_ascii_whitespace() && **byte != SEPARATOR && **byte != b';';
     key.extend(text.iter().filter(counts).map(u8::to_ascii_uppercase));
 }

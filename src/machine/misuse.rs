@@ -1,7 +1,8 @@
 //! Detects tools of the setup that do the work of another kind of tool, and cuts with a feed that no insert
 //! takes.
 //!
-//! In: cuts in order, and the workpiece before each. Out: [`Danger`]s, each once. Must not know messages.
+//! In: cuts in order, and the workpiece before each. Out: [`Danger`]s: each kind of misuse once for a
+//! station, and a fast feed unless it was the last one reported. Must not know messages.
 
 use super::danger::Danger;
 use super::part::{Part, Turned, cut};
@@ -11,32 +12,37 @@ use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleFamily, Feed, Motion, MotionKind, SpindleSpeed, SpindleTurn};
 use crate::setup::{Stock, ToolKind};
 
-/// Feed above which no insert of a common lathe cuts, mm/rev, and the same for blanks larger than [`LARGE`].
+/// Feed from which no insert of a common lathe cuts, mm/rev.
 const FAST: f64 = 1.0;
+
+/// The same for blanks larger than [`LARGE_DIAMETER`], mm/rev.
 const FAST_ON_LARGE: f64 = 2.0;
 
 /// Diameter of a blank that needs a heavy lathe, mm.
-const LARGE: f64 = 200.0;
+const LARGE_DIAMETER: f64 = 200.0;
 
-/// A distance to the spindle axis below this, mm, counts as on the axis.
-const OFF_AXIS: f64 = 0.01;
+/// Distance to the spindle axis up to which a point counts as on the axis, mm.
+const AXIS_TOLERANCE: f64 = 0.01;
 
-/// Material that a tool may cut while it leaves without a finding, mm². An entering angle of 95° leaves a
+/// Area that a tool may cut on its way out without being reported, mm². An entering angle of 95° leaves a
 /// wedge of 5° at a shoulder; many programs leave at rapid and scrape it off.
 pub(super) const SCRAPED: f64 = 0.25;
 
-/// Material that a tool may scrape off while it leaves along a wall at feed, as a share of the square of its
-/// path (the wedge left by an entering angle of 95°), and its maximum in mm².
+/// Area that a tool may scrape off on its way out at feed, as a share of the square of its path: a wedge of
+/// 5° has 0.044. The area is at least [`SCRAPED`] and at most [`MAX_SCRAPED`].
 const WEDGE: f64 = 0.045;
+
+/// Maximum area that a tool may scrape off on its way out at feed, mm².
 const MAX_SCRAPED: f64 = 2.0;
 
-/// After a shorter cut along Z, mm, a cut across leaves no shoulder: the first cut only moved to the depth.
+/// Minimum length of a cut along Z that leaves a shoulder, mm. A cut across after a shorter one, which only
+/// moved to the depth, is not a way out.
 const SHOULDER: f64 = 2.0;
 
 /// A grooving tool cuts a square or trapezoidal thread if the lead is at least this many times its width.
 const LEAD_OF_GROOVING: f64 = 1.3;
 
-/// With a larger lead, mm, a boring tool cuts an oil groove.
+/// Lead above which a thread cut by a boring tool is taken for an oil groove, mm.
 const OIL_GROOVE: f64 = 8.0;
 
 /// An insert does not cut deeper than this across the axis, mm, if its edge length is not given.
@@ -57,7 +63,8 @@ pub(super) struct Cut<'a> {
 pub(super) struct Misuse {
     /// Stations that were reported as misused.
     misused: Vec<u16>,
-    /// Stations whose tool cuts on the wrong side: their collisions are consequences.
+    /// Stations whose tool cuts on the wrong side. Their collisions are not reported, because they have the
+    /// same cause.
     wrong_side: Vec<u16>,
     /// The holes of drills on the axis.
     holes: Vec<Hole>,
@@ -76,7 +83,7 @@ struct Hole {
 }
 
 impl Misuse {
-    /// The dangers of the next cut. `before` does not include dwells.
+    /// The dangers of the next cut.
     pub fn next(&mut self, cut: &Cut, part: &mut Part) -> impl Iterator<Item = Danger> + use<> {
         let found = [self.wrong_side(cut, part), self.other_work(cut, part), self.fast_feed(cut, part)];
         found.into_iter().flatten()
@@ -87,34 +94,36 @@ impl Misuse {
         self.wrong_side.contains(&station)
     }
 
-    /// Reports a boring bar that turns the outside, or an outside turning tool that bores, once for each station:
-    /// on the side of its body the material is thicker than its insert, on the other side it is not.
+    /// Reports a boring bar that turns the outside, or an outside turning tool that bores, once for each
+    /// station: at the cut, the material on the side of its body is thicker than its insert, and on the other
+    /// side it is not.
     fn wrong_side(&mut self, cut: &Cut, part: &mut Part) -> Option<Danger> {
         let Cut { motion, tool, before: last, .. } = *cut;
         let kind = tool.tool.kind.filter(|_| tool.basis == Basis::Given)?;
         let direction = tool.tool.tip_direction();
-        let is_inside = match kind {
+        let is_boring_bar = match kind {
             ToolKind::Boring if matches!(direction, 1 | 2) => true,
             ToolKind::Turning if matches!(direction, 3 | 4) => false,
             _ => return None,
         };
         let (from, to) = (motion.from, motion.to);
         let along = (to.z - from.z).abs() > (to.x - from.x).abs();
-        let is_known = motion.process.turn == SpindleTurn::Stopped || self.wrong_side.contains(&tool.station);
-        if motion.kind != MotionKind::Feed || motion.arc().is_some() || !along || is_known {
+        let is_exempt =
+            motion.process.turn == SpindleTurn::Stopped || self.wrong_side.contains(&tool.station);
+        if motion.kind != MotionKind::Feed || motion.arc().is_some() || !along || is_exempt {
             return None;
         }
         let (x, z) = ((from.x + to.x) / 2.0, (from.z + to.z) / 2.0);
         let (low, high) = part.now().radii(z).into_iter().find(|&(low, high)| low < x && x < high)?;
         let insert = tool.tool.edge_length.unwrap_or(INSERT);
-        let (behind, before) = if is_inside { (x - low, high - x) } else { (high - x, x - low) };
-        // A bar without a bore is drilled, not bored.
-        if behind <= insert || before > insert || !is_inside && low <= OFF_AXIS {
+        let (body_side, edge_side) = if is_boring_bar { (x - low, high - x) } else { (high - x, x - low) };
+        // In a solid bar there is no bore that an outside tool could cut.
+        if body_side <= insert || edge_side > insert || !is_boring_bar && low <= AXIS_TOLERANCE {
             return None;
         }
         // It comes from the outside, or from the bore.
         let last = last?;
-        let comes_from_there = match is_inside {
+        let comes_from_there = match is_boring_bar {
             true => last.from.x.max(last.to.x) >= high - SAME,
             false => last.from.x.min(last.to.x) <= low + SAME,
         };
@@ -136,7 +145,7 @@ impl Misuse {
             .is_some_and(|tag| matches!(tag.cycle.family(), CycleFamily::Contour | CycleFamily::Turning));
         let station = tool.station;
         if kind == ToolKind::Drill && on_axis {
-            self.drills(station, motion.to.z);
+            self.record_hole(station, motion.to.z);
         }
         let other = match kind {
             // A live drill works off the axis.
@@ -153,8 +162,8 @@ impl Misuse {
         Some(Danger::OtherWork { kind, station })
     }
 
-    /// Notes a hole that a drill makes on the axis.
-    fn drills(&mut self, station: u16, z: f64) {
+    /// Records a hole that a drill makes on the axis.
+    fn record_hole(&mut self, station: u16, z: f64) {
         match self.holes.iter_mut().find(|hole| hole.station == station) {
             Some(hole) => hole.bottom = hole.bottom.min(z),
             None => self.holes.push(Hole { station, bottom: z, is_bored: false }),
@@ -170,12 +179,12 @@ impl Misuse {
         hole.is_bored && motion.from.z.min(motion.to.z) >= hole.bottom - SAME
     }
 
-    /// Reports an absurd feed of a cut off the axis, where no tap works, or of a drilling cycle; once for
-    /// each feed.
+    /// Reports an absurd feed of a cut off the axis, where no tap works, or of a drilling cycle, unless this
+    /// feed was the last one reported.
     fn fast_feed(&mut self, cut: &Cut, part: &mut Part) -> Option<Danger> {
         let Cut { motion, before, tool, blank } = *cut;
         let on_axis = is_on_axis(motion);
-        let drills = motion.cycle.is_some_and(|tag| {
+        let is_drilling_cycle = motion.cycle.is_some_and(|tag| {
             matches!(tag.cycle, Cycle::FacePecking | Cycle::Drilling | Cycle::FaceDrilling)
         });
         // A keyway is shaped with the spindle stopped.
@@ -187,9 +196,9 @@ impl Misuse {
             (Feed::PerMinute(feed), SpindleSpeed::Constant(speed)) if speed > 0.0 => feed / speed,
             _ => return None,
         };
-        let is_large = blank.is_some_and(|stock| stock.diameter.mm() > LARGE);
+        let is_large = blank.is_some_and(|stock| stock.diameter.mm() > LARGE_DIAMETER);
         let is_fast = per_turn >= if is_large { FAST_ON_LARGE } else { FAST };
-        let cuts_by_feed = motion.kind != MotionKind::Thread && (!on_axis || drills);
+        let cuts_by_feed = motion.kind != MotionKind::Thread && (!on_axis || is_drilling_cycle);
         let is_new = is_fast
             && cuts_by_feed
             && self.fast != Some(per_turn)
@@ -205,7 +214,7 @@ impl Misuse {
 
 /// Whether a motion stays on the spindle axis.
 fn is_on_axis(motion: &Motion) -> bool {
-    motion.from.x.abs() <= OFF_AXIS && motion.to.x.abs() <= OFF_AXIS
+    motion.from.x.abs() <= AXIS_TOLERANCE && motion.to.x.abs() <= AXIS_TOLERANCE
 }
 
 /// Whether a tool of another kind may cut a thread of this lead.
@@ -247,5 +256,5 @@ fn is_in_material(motion: &Motion, part: &mut Part) -> bool {
         }
     };
     // The axis itself is the edge of the workpiece.
-    part.now().contains(Point::new(middle.x.max(OFF_AXIS), middle.z))
+    part.now().contains(Point::new(middle.x.max(AXIS_TOLERANCE), middle.z))
 }

@@ -1,7 +1,7 @@
 //! A message at a position of the text, with its fixes.
 //!
-//! In: a [`Message`] and a span. Out: the type that reaches the page and the command line, in one list.
-//! Independent of the language: `sentences` contains the texts.
+//! In: a [`Message`] and a span. Out: a [`Diagnostic`], which the page and the command line show. Independent
+//! of the language: `sentences` contains the texts.
 
 use super::rule::Severity;
 use super::variants::Message;
@@ -10,7 +10,7 @@ use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::units::Unit;
 
-/// A message at a position of the text.
+/// A message with its position, severity and fixes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
     /// The message.
@@ -21,7 +21,7 @@ pub struct Diagnostic {
     pub unit: Unit,
     /// Its severity: usually that of the message, but a control can turn an error into a warning.
     pub severity: Severity,
-    /// Fixes with a known result.
+    /// Alternative fixes; each resolves the problem.
     pub fixes: Vec<Fix>,
 }
 
@@ -32,6 +32,7 @@ impl Diagnostic {
         Self::of(message.into(), span)
     }
 
+    // Out of line, to keep the callers small.
     #[cold]
     #[inline(never)]
     fn of(message: Message, span: Span) -> Self {
@@ -56,8 +57,9 @@ impl Diagnostic {
         self
     }
 
-    /// The code of the message. Codes of errors, and only those, begin with E, whatever severity a setup or
-    /// the control sets: `E-NOT-MONOTONE` becomes `W-NOT-MONOTONE` if the control continues.
+    /// The code of the message. It begins with E if the diagnostic is an error, and only then: if a control
+    /// turns an error into a warning, `E-NOT-MONOTONE` becomes `W-NOT-MONOTONE`; if a setup turns a warning
+    /// into an error, W or I becomes E.
     pub fn code(&self) -> String {
         let code = self.message.code();
         match (self.is_error(), code.split_at_checked(2)) {
@@ -75,7 +77,8 @@ impl Diagnostic {
         }
     }
 
-    /// Whether it is a warning or an error about this word, alone or with a neighbour.
+    /// Whether it is a warning or an error about this word: its span contains the word, and has at most twice
+    /// its length plus two bytes, enough for a second word.
     pub fn is_about(&self, word: Span) -> bool {
         let same = self.span.contains(word) && self.span.len() <= 2 * word.len() + 2;
         same && self.severity > Severity::Info
@@ -89,7 +92,7 @@ impl Diagnostic {
 
 /// Sorts messages by position, stably.
 pub fn sort_by_place(diagnostics: &mut [Diagnostic]) {
-    order::by_key(diagnostics, |told| told.span.start);
+    order::by_key(diagnostics, |diagnostic| diagnostic.span.start);
 }
 
 /// Kind of a fix, used for its title.
@@ -125,7 +128,8 @@ pub enum Repair {
 pub struct Fix {
     /// Kind of the fix.
     pub title: Repair,
-    /// Whether it can be applied without confirmation, because it does not change what the program does.
+    /// Whether it can be applied without confirmation, because it does not change what the program does. If
+    /// false, the user must confirm it.
     pub safe: bool,
     /// The edits, sorted by position, not overlapping.
     pub edits: Vec<Edit>,
@@ -146,12 +150,12 @@ impl Fix {
         Self { title, safe: true, edits: vec![Edit { span, text: text.to_owned() }] }
     }
 
-    /// A fix that replaces a word by `text`; the user must confirm that it was intended.
+    /// A fix that replaces a word by `text`. Not safe.
     pub fn write(span: Span, text: String) -> Self {
         Self::replace(Repair::Write { text: text.clone() }, span, &text).needs_confirmation()
     }
 
-    /// A fix that deletes a word and the spaces before it; to be confirmed.
+    /// A fix that deletes a word and the spaces before it. Not safe.
     pub fn delete(text: &[u8], span: Span) -> Self {
         let before = text[..span.start as usize].iter().rev();
         let blanks = before.take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
@@ -164,13 +168,13 @@ impl Fix {
         Self::replace(Repair::Delete { text: span.quote(text) }, whole, "").needs_confirmation()
     }
 
-    /// A fix that inserts `text` at byte `at`; to be confirmed.
+    /// A fix that inserts `text` at byte `at`. Not safe.
     pub fn insert(at: u32, text: String) -> Self {
         let title = Repair::Insert { text: text.trim().to_owned() };
         Self::replace(title, Span { start: at, end: at }, &text).needs_confirmation()
     }
 
-    /// Marks the fix as one that must be confirmed.
+    /// Marks the fix as not safe: the user must confirm it.
     pub fn needs_confirmation(mut self) -> Self {
         self.safe = false;
         self

@@ -21,12 +21,12 @@ pub struct Pass {
     pub taper: f64,
 }
 
-/// The passes of one cycle at the start of `moves`; empty if they are not a cycle.
+/// The passes of one cycle at the start of `moves`; empty if the moves do not begin with one.
 pub fn passes(moves: &[Move]) -> Vec<Pass> {
     let mut found: Vec<Pass> = Vec::new();
     for four in moves.chunks_exact(4) {
         let joined = four.iter().skip(usize::from(found.is_empty())).all(|own| own.follows);
-        let Some(pass) = pass(four).filter(|_| joined) else { break };
+        let Some(pass) = pass_of(four).filter(|_| joined) else { break };
         if let Some(first) = found.first()
             && (first.single != pass.single || !same(first.start, pass.start))
         {
@@ -38,13 +38,14 @@ pub fn passes(moves: &[Move]) -> Vec<Pass> {
 }
 
 /// The cycle that four moves form, if any.
-fn pass(moves: &[Move]) -> Option<Pass> {
+fn pass_of(moves: &[Move]) -> Option<Pass> {
     let [infeed, cut, retract, back] = moves else { return None };
     let [infeed, cut, retract, back] = [infeed, cut, retract, back].map(|own| own.motion);
     let start = infeed.from;
     let connected = [(infeed, cut), (cut, retract), (retract, back)].iter().all(|(a, b)| same(a.to, b.from));
-    let home = same(back.to, start) && infeed.kind == MotionKind::Rapid && back.kind == MotionKind::Rapid;
-    if !connected || !home {
+    let returns_at_rapid =
+        same(back.to, start) && infeed.kind == MotionKind::Rapid && back.kind == MotionKind::Rapid;
+    if !connected || !returns_at_rapid {
         return None;
     }
     let kinds = (cut.kind, retract.kind);

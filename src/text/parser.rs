@@ -3,16 +3,25 @@
 //!
 //! ```text
 //! program  = { block ( LINE-END | ";" ) }
-//! block    = "%" | { "/" [digit] } [ ( "O" | ":" ) number [ name ] | [ "O" ] name ] [ "N" number ] ( macro | { word | comment } )
+//! block    = "%" | { skip } [ ( "O" | ":" ) number [ name ] | [ "O" ] name ] [ "N" number ] contents
+//! skip     = "/" [digit]
+//! contents = { word | comment | skip } | macro | note
 //! word     = [ "," ] letter [ sign ] ( number | expression )        blanks are allowed anywhere between
 //!          | name                                                   after M98, G65, G66: the program that is called
 //! name     = "<" … ">"
-//! macro    = ( "#" | "IF" | "WHILE" | "GOTO" | "DO" | "END" ) …      up to the end of the block
+//! macro    = ( "#" | keyword ) …                                    up to the end of the block
+//! keyword  = "IF" | "WHILE" | "GOTO" | "DO" | "END" | "THEN"
+//!          | "POPEN" | "PCLOS" | "BPRNT" | "DPRNT" | "SETVN"
+//! note     = "[" letter …                                           up to the end of the line: a comment
 //! comment  = "(" … ")"
 //! ```
 //!
-//! In: text. Out: one [`Block`] at a time, in reused storage, so that a long program needs no memory. Knows
-//! which letters begin a word, but not what a word means.
+//! Terms: *Text* is anything that does not read as words of a block. It may contain *plain words*, letters
+//! that can only be text. A *remark* is text without brackets that is meant as a comment. A *comment* is in
+//! brackets, or a remark that the block keeps as a comment.
+//!
+//! In: text. Out: one [`Block`] at a time, in reused storage, so that a long program needs no more memory
+//! than a short one. Knows which letters begin a word, but not what a word means.
 
 use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, TokenKind, is_between_blocks, is_blank};
@@ -33,8 +42,8 @@ use crate::source::{Span, line_end};
 /// it.
 const FAULTS_PER_BLOCK: usize = 3;
 
-/// Bytes at the head of a text that contain the leader of the tape, the `%` after it and the first word of
-/// the program.
+/// Number of bytes at the start of a text in which the leader of the tape, the `%` after it and the first
+/// program number are searched for.
 pub const LEADER: usize = 1024;
 
 /// The part of the module that reads blocks with errors.
@@ -49,8 +58,8 @@ early! {
         begins_as_sentence(bytes)
     }
 
-    fn take_misread(parser: &mut Parser, block: &mut Block, start: u32, misread: &Misread) {
-        parser.take_misread(block, start, misread);
+    fn report_misread(parser: &mut Parser, block: &mut Block, start: u32, misread: &Misread) {
+        parser.report_misread(block, start, misread);
     }
 
     fn report_full_width(parser: &Parser, block: &mut Block, span: Span) {
@@ -66,7 +75,7 @@ early! {
     }
 
     fn read_comma_word(parser: &mut Parser, block: &mut Block, word: CommaWord, comma: Span, digits: Span) {
-        parser.read_split_word(block, word, comma, digits);
+        parser.read_comma_word(block, word, comma, digits);
     }
 }
 
@@ -81,7 +90,7 @@ struct CommaWord {
 }
 
 /// Whether the part `READS_FAULTS` is loaded; otherwise marks the block as unread.
-fn may_read_faults(block: &mut Block) -> bool {
+fn require_fault_part(block: &mut Block) -> bool {
     block.is_unread |= !READS_FAULTS.is_loaded();
     !block.is_unread
 }
@@ -96,7 +105,8 @@ pub struct Parser<'a> {
     /// Whether the next block follows a `;` on the same line.
     after_semicolon: bool,
     ended: bool,
-    /// Whether it reads a block with its safe fixes applied.
+    /// Whether the blocks are only examined: the leader is not searched for and safe fixes are not tested,
+    /// because both parse text again.
     is_trial: bool,
 }
 
@@ -145,7 +155,7 @@ impl<'a> Parser<'a> {
         block.line = self.line;
         let end = self.read(block);
         block.span = Span::new(start, end);
-        if !block.faults.is_empty() && may_read_faults(block) {
+        if !block.faults.is_empty() && require_fault_part(block) {
             reclassify(self, block, after_semicolon);
         }
         if block.kind == BlockKind::Percent && self.begun && !names_program(self.lexer.text(), block.span) {
@@ -183,7 +193,7 @@ impl<'a> Parser<'a> {
             return keep_as_comment(block, trimmed(text, block.span));
         }
         if let Some(remark) = marked_remark(text, block) {
-            return self.take_marked_remark(block, remark, after_semicolon);
+            return self.keep_marked_remark(block, remark, after_semicolon);
         }
         if long_comment::continues(text, block.span) {
             return keep_as_comment(block, trimmed(text, block.span));
@@ -193,8 +203,8 @@ impl<'a> Parser<'a> {
                 *fault = over_lines(text, fault.span, &ends);
                 continue;
             }
-            // `(face X20`: the bracket may belong before X20.
-            // `(STOPS AT M01, IF ON`: more text follows the value.
+            // If the hidden text ends with a value (`(face X20`), the bracket may belong before it: an error.
+            // With more text after the value (`(STOPS AT M01, IF ON`), it is a remark.
             let hidden = Span { start: fault.span.end, end: block.span.end };
             let groups = PlainWords::of(text, hidden, &[]).groups;
             let last = Span { start: groups.last().map_or(hidden.start, |group| group.end), ..hidden };
@@ -206,7 +216,7 @@ impl<'a> Parser<'a> {
         let plain = PlainWords::of(text, block.span, &block.comments);
         let unclear = block.is_broken() || block.words.is_empty();
         let is_text = !plain.has_value && !plain.is_ambiguous;
-        // `; 其实N10 …` is not a block either, but only the author knows what N10 means.
+        // `; 其实N10 …` ("actually N10") is not a block either, but only the author knows what N10 means.
         let own = block.span.of(text);
         let has_sentence =
             !plain.has_value && plain.groups.iter().any(|group| group.of(text).contains(&b' '));
@@ -216,26 +226,26 @@ impl<'a> Parser<'a> {
             && block.faults.iter().any(|fault| fault.message.is::<said::CommentNested>())
             && block.faults.iter().all(|fault| fault.message.is::<said::CommentNested>());
         if after_semicolon && unclear && !is_comment && is_remark && reads_as_prose(block.span.of(text)) {
-            return self.take_as_comment(block, is_text);
+            return self.keep_as_remark(block, is_text);
         }
         if self.is_title(block, &plain, after_semicolon) {
             return match after_semicolon {
-                true => self.take_as_comment(block, is_text),
-                false => self.take_as_text(block, &plain),
+                true => self.keep_as_remark(block, is_text),
+                false => self.report_as_text(block, &plain),
             };
         }
         if block.words.is_empty() && only_marks_outside_brackets(block.span.of(text)) {
-            // `(FACE), (F0.3).`: the remarks are comments already; one message reports the marks between
-            // them.
+            // `(FACE), (F0.3).`: only the punctuation between the comments is wrong, and one message reports
+            // it.
             block.faults.truncate(1);
         }
         let prose = block.words.is_empty() || reads_as_prose(block.span.of(text));
         let whole = block.faults.len() > block.words.len().max(1) && prose;
         let only_text = plain.texts > 0 && block.is_broken();
         if plain.has_value || block.span.of(text).contains(&b'(') {
-            self.take_plain_words(block, &plain, whole);
+            self.report_plain_words(block, &plain, whole);
         } else if whole && (block.kind == BlockKind::Words || only_text) {
-            self.take_as_text(block, &plain);
+            self.report_as_text(block, &plain);
         }
         for fault in &mut block.faults {
             // `go`, `tool`, `toolO2`: letters that may be text are not certainly digits.
@@ -277,13 +287,13 @@ impl<'a> Parser<'a> {
         let leads = !self.begun && (block.span.start as usize) < LEADER;
         let is_remark = match after_semicolon {
             true => before.all(|&byte| byte == b';' || is_blank(byte)),
-            false => leads && precedes_number_of_program(&text[..text.len().min(LEADER)]),
+            false => leads && has_program_number(&text[..text.len().min(LEADER)]),
         };
         let is_statement = block.kind != BlockKind::Words || block.program.is_some();
         is_remark && !plain.groups.is_empty() && !plain.is_ambiguous && !names_place && !is_statement
     }
 
-    /// Whether the block has more errors with its safe fixes applied than without. Then they are not safe.
+    /// Whether applying the safe fixes would give the block more errors; then they are not safe.
     fn is_worse_when_fixed(&self, block: &Block, after_semicolon: bool) -> bool {
         let fixes = block.faults.iter().filter_map(|fault| fault.fixes.iter().find(|fix| fix.safe));
         let mut edits: Vec<&Edit> = fixes.flat_map(|fix| &fix.edits).collect();
@@ -307,55 +317,55 @@ impl<'a> Parser<'a> {
         let here = Resume { begun: self.begun, after_semicolon, ..Resume::default() };
         let mut trial = Parser { is_trial: true, ..Parser::resume(&fixed, here) };
         let errors = |block: &Block| block.faults.iter().filter(|fault| fault.is_error()).count();
-        let (mut read, mut left) = (Block::default(), 0);
+        let (mut read, mut remaining_errors) = (Block::default(), 0);
         while (trial.position().byte as usize) < end && trial.next_block(&mut read) {
-            left += errors(&read);
+            remaining_errors += errors(&read);
         }
-        left > errors(block)
+        remaining_errors > errors(block)
     }
 
     /// Reports a block without a value in one message. Putting all of it in brackets is a safe fix if its
     /// letters can only be text.
-    fn take_as_text(&self, block: &mut Block, plain: &PlainWords) {
+    fn report_as_text(&self, block: &mut Block, plain: &PlainWords) {
         let text = self.lexer.text();
         let span = trimmed(text, block.span);
         let quote = short_quote(text, span);
         block.words.clear();
         block.kind = BlockKind::Words;
-        let decorates = decorates(span.of(text)) && !plain.is_ambiguous;
-        let harmless = block.faults.iter().all(|fault| !fault.is_error()) || decorates;
+        let cannot_be_words = is_decoration(span.of(text)) && !plain.is_ambiguous;
+        let harmless = block.faults.iter().all(|fault| !fault.is_error()) || cannot_be_words;
         let severity = if harmless { Severity::Warning } else { Severity::Error };
         block.faults.clear();
-        let told = Diagnostic::new(said::PlainText { text: quote }, span).with_severity(severity);
-        let is_sure = !plain.is_ambiguous && (plain.texts > 0 || decorates);
-        block.fault(in_brackets(text, told, is_sure));
+        let diagnostic = Diagnostic::new(said::PlainText { text: quote }, span).with_severity(severity);
+        let is_sure = !plain.is_ambiguous && (plain.texts > 0 || cannot_be_words);
+        block.fault(in_brackets(text, diagnostic, is_sure));
     }
 
     /// Reports plain words. The rest is parsed without them: if it has no error, putting the words in
     /// brackets is a safe fix. A block of text that contains brackets gets one message, unless the rest has
     /// no error.
-    fn take_plain_words(&self, block: &mut Block, plain: &PlainWords, whole: bool) {
+    fn report_plain_words(&self, block: &mut Block, plain: &PlainWords, whole: bool) {
         let is_text = !plain.has_value && whole;
         if plain.groups.is_empty() {
             return if is_text {
-                self.take_as_text(block, plain)
+                self.report_as_text(block, plain)
             };
         }
         let mut rest = self.read_without(block, &plain.groups);
         let is_readable = rest.kind == BlockKind::Words && !rest.is_broken() && !plain.is_ambiguous;
         if is_text && !is_readable {
-            return self.take_as_text(block, plain);
+            return self.report_as_text(block, plain);
         }
         let text = self.lexer.text();
         for &group in &plain.groups {
             let quote = short_quote(text, group);
-            // If the letters are not addresses, the block is executed.
-            let told = match decorates(group.of(text)) {
+            // A warning: text that cannot be words does not stop the block.
+            let diagnostic = match is_decoration(group.of(text)) {
                 true => Diagnostic::new(said::NotUnderstood { text: quote }, group)
                     .with_severity(Severity::Warning),
                 false => Diagnostic::new(said::PlainWords { text: quote }, group),
             };
-            rest.fault(in_brackets(text, told, is_readable));
+            rest.fault(in_brackets(text, diagnostic, is_readable));
         }
         sort_by_place(&mut rest.faults);
         *block = rest;
@@ -377,7 +387,8 @@ impl<'a> Parser<'a> {
         rest
     }
 
-    /// Offers the letters that a number without one may have lost.
+    /// Adds fixes that insert a candidate address before a number without one. For a number with a blank, one
+    /// more fix joins its digits.
     fn offer_addresses(&self, block: &mut Block) {
         let Block { faults, words, .. } = block;
         for fault in faults {
@@ -401,9 +412,10 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Reads to the end of the block, and consumes it; returns the end of its text.
+    /// Reads the rest of the block and its end. Returns the byte where its text ends.
     fn read(&mut self, block: &mut Block) -> usize {
         loop {
+            // Fast paths; `token` gives the same result.
             match self.lexer.peek_byte() {
                 Some(b' ') => {
                     self.lexer.seek(self.lexer.position() + 1);
@@ -430,12 +442,12 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Reads one token and the tokens that belong to it. Returns the end of the block's text if that was its
-    /// end.
+    /// Reads one token and the tokens that belong to it. Returns the end of the block's text if the token
+    /// ends the block.
     #[inline(never)]
     fn token(&mut self, block: &mut Block) -> Option<usize> {
-        // Checked before the lexer joins consecutive full-width characters to one token: otherwise every word
-        // would be read to their end.
+        // Checked before the lexer joins consecutive full-width characters to one token: otherwise one token
+        // would contain several words.
         const FULL_WIDTH: u8 = 0xEF;
         if self.lexer.peek_byte() == Some(FULL_WIDTH)
             && !block.is_full()
@@ -488,7 +500,8 @@ impl<'a> Parser<'a> {
             TokenKind::Macro(b'[')
                 if block.words.is_empty() && block.faults.is_empty() && self.letter_follows() =>
             {
-                // `[BILLET X62 Z70`: the notation of class simulators for the stock; no control reads it.
+                // `[BILLET X62 Z70`: the stock comment of CNC simulators used in schools. No control reads
+                // it.
                 self.skip_line();
                 block.comment(Span { start: token.span.start, end: self.lexer.position() as u32 });
             }
@@ -508,7 +521,7 @@ impl<'a> Parser<'a> {
             | TokenKind::PrintedMinus
             | TokenKind::Unknown => {
                 let quote = short_quote(self.lexer.text(), token.span);
-                let harmless = decorates(token.span.of(self.lexer.text()));
+                let harmless = is_decoration(token.span.of(self.lexer.text()));
                 let severity = if harmless { Severity::Warning } else { Severity::Error };
                 let message = said::NotUnderstood { text: quote };
                 block.fault(Diagnostic::new(message, token.span).with_severity(severity));
@@ -544,7 +557,7 @@ impl<'a> Parser<'a> {
             match token.map(|token| token.kind) {
                 Some(TokenKind::Number(number)) => {
                     let span = start.to(token.map_or(first, |token| token.span));
-                    if signs > 1 && may_read_faults(block) {
+                    if signs > 1 && require_fault_part(block) {
                         report_two_signs(self, block, span, negative);
                     }
                     return self.word(block, letter, comma.is_some(), negative, number, span);
@@ -579,7 +592,7 @@ impl<'a> Parser<'a> {
                     let comma_span = token.map_or(first, |token| token.span);
                     let digits = self.lexer.next_token().map_or(comma_span, |token| token.span);
                     let word = CommaWord { address: letter, comma: comma.is_some(), negative, start };
-                    return self.word_with_comma(block, word, comma_span, digits);
+                    return self.comma_word(block, word, comma_span, digits);
                 }
                 _ => break,
             }
@@ -590,20 +603,21 @@ impl<'a> Parser<'a> {
         block.fault(Diagnostic::new(message, start));
     }
 
-    /// Reads the name of a program whose `<` is at byte `at`; `start` is the beginning of its O. At the head
-    /// of a block it names this program, after the code of a call the called one. Returns false if there is
-    /// no name, or it must not appear here.
+    /// Reads a program name whose `<` is at byte `at`. `start` is the byte of the O or `:` before it, or `at`
+    /// if there is none. At the head of a block it is the name of this program; after the code of a call it
+    /// is the called program. Returns false if there is no name, or if a name is not allowed here.
     #[cold]
     fn program_name(&mut self, block: &mut Block, at: usize, start: u32) -> bool {
         let Some((number, end)) = program_name::read(self.lexer.text(), at) else { return false };
         let span = Span { start, end: end as u32 };
         let is_head = block.words.is_empty() && block.sequence.is_none() && block.faults.is_empty();
+        let has_no_letter = start as usize == at;
         match block.program {
             None if is_head => block.program = Some((number, span)),
-            Some(_) if is_head && block.second_name.is_none() && start as usize == at => {
+            Some(_) if is_head && block.second_name.is_none() && has_no_letter => {
                 block.second_name = Some((number, span));
             }
-            _ if block.words.iter().any(calls_program) && start as usize == at => {
+            _ if block.words.iter().any(calls_program) && has_no_letter => {
                 let number = Number { mantissa: u64::from(number), digits: DIGITS, ..Number::default() };
                 block.word(Word {
                     address: b'P',
@@ -629,12 +643,12 @@ impl<'a> Parser<'a> {
         span: Span,
     ) {
         let (mut number, mut span) = (number, span);
-        // A second number after `N10` has lost its letter.
+        // In `X1 0` the blank is in the number; in `N10 20` the second number has lost its letter.
         if letter != b'N' && self.blank_then_digit() {
-            (number, span) = self.split_number(block, span);
+            (number, span) = self.join_digits(block, span);
         }
         if number.points > 1 {
-            if may_read_faults(block) {
+            if require_fault_part(block) {
                 report_second_point(self, block, span);
             }
             return;
@@ -683,16 +697,16 @@ impl<'a> Parser<'a> {
     fn report_second_point(&self, block: &mut Block, span: Span) {
         let quote = span.quote(self.lexer.text());
         let fix = without_second_point(&quote);
-        let told = Diagnostic::new(said::SecondPoint { word: quote }, span);
+        let diagnostic = Diagnostic::new(said::SecondPoint { word: quote }, span);
         block.fault(match fix {
-            Some(text) => told
+            Some(text) => diagnostic
                 .with(Fix::replace(Repair::Write { text: text.clone() }, span, &text).needs_confirmation()),
-            None => told,
+            None => diagnostic,
         });
     }
 
     /// Joins digits that blanks separate: a control ignores the blanks.
-    fn split_number(&mut self, block: &mut Block, span: Span) -> (Number, Span) {
+    fn join_digits(&mut self, block: &mut Block, span: Span) -> (Number, Span) {
         let mut end = span.end;
         while self.blank_then_digit() {
             let _blank = self.lexer.next_token();
@@ -707,12 +721,12 @@ impl<'a> Parser<'a> {
         (Number::read(whole.of(self.lexer.text())), whole)
     }
 
-    /// Reads a number without an address; `00006` at the head of a program is a misread `O0006`.
+    /// Reads a number without an address. `00006`, the first word of a program, is a misread `O0006`.
     fn lone_number(&mut self, block: &mut Block, number: Number, span: Span) {
         let text = span.of(self.lexer.text());
         let at_head =
             !self.begun && block.words.is_empty() && block.sequence.is_none() && block.program.is_none();
-        // `0101` may also be T0101.
+        // Four digits, such as `0101`, may also be a tool.
         let may_be_program =
             |text: &[u8]| text.len() >= 5 && text[0] == b'0' && Number::read(&text[1..]).digits <= DIGITS;
         if at_head && number.points == 0 && number.mantissa > 0 && may_be_program(text) {
@@ -736,13 +750,13 @@ impl<'a> Parser<'a> {
     /// `Z,15`, `Z20,5`: a comma instead of the decimal point. The word is read as intended, so that its modal
     /// effect applies to the next blocks.
     #[cold]
-    fn word_with_comma(&mut self, block: &mut Block, word: CommaWord, comma: Span, digits: Span) {
-        if may_read_faults(block) {
+    fn comma_word(&mut self, block: &mut Block, word: CommaWord, comma: Span, digits: Span) {
+        if require_fault_part(block) {
             read_comma_word(self, block, word, comma, digits);
         }
     }
 
-    fn read_split_word(&mut self, block: &mut Block, word: CommaWord, comma: Span, digits: Span) {
+    fn read_comma_word(&mut self, block: &mut Block, word: CommaWord, comma: Span, digits: Span) {
         // `Z1,2,3`: a single word that cannot be read.
         let (mut end, mut goes_on) = (digits, false);
         while self.comma_and_number_follow() {
@@ -756,16 +770,16 @@ impl<'a> Parser<'a> {
         let number = written.trim_start_matches([',', '，']).replace([',', '，'], ".");
         let number = number.trim_start_matches(|sign: char| sign != '.' && !sign.is_ascii_digit());
         let number = Number::read(without_blanks(number).as_bytes());
-        let told = Diagnostic::new(said::CommaForPoint { word: written.clone() }, span);
+        let diagnostic = Diagnostic::new(said::CommaForPoint { word: written.clone() }, span);
         if number.points > 1 || number.digits > DIGITS || goes_on {
-            return block.fault(told);
+            return block.fault(diagnostic);
         }
         let point = Fix::replace(Repair::DecimalPoint, comma, ".");
         if may_be_thousands(word.address, &written) {
             let whole = Fix::write(span, written.replace([',', '，'], ""));
-            return block.fault(told.with(Fix { safe: false, ..point }).with(whole));
+            return block.fault(diagnostic.with(Fix { safe: false, ..point }).with(whole));
         }
-        block.fault(told.with(point));
+        block.fault(diagnostic.with(point));
         self.store(block, word.address, word.comma, word.negative, number, span);
     }
 
@@ -781,18 +795,18 @@ impl<'a> Parser<'a> {
     /// `；`, `（外圆）`: a full-width character that a control does not know, with its ASCII form as the fix.
     #[cold]
     fn full_width(&self, block: &mut Block, span: Span) {
-        if may_read_faults(block) {
+        if require_fault_part(block) {
             report_full_width(self, block, span);
         }
     }
 
-    /// Reports a number with several signs; if one of them is a minus, it may be intended.
+    /// Reports a number with several signs. The fix keeps a minus if there is one.
     fn report_two_signs(&self, block: &mut Block, span: Span, negative: bool) {
         let word = span.quote(self.lexer.text());
-        let address = word.find(['-', '+', '–', '−', '－']).unwrap_or(1);
+        let sign_at = word.find(['-', '+', '–', '−', '－']).unwrap_or(1);
         let digits = word.find(|letter: char| letter.is_ascii_digit() || letter == '.').unwrap_or(word.len());
         let sign = if negative { "-" } else { "" };
-        let fix = Fix::write(span, format!("{}{sign}{}", word[..address].trim_end(), &word[digits..]));
+        let fix = Fix::write(span, format!("{}{sign}{}", word[..sign_at].trim_end(), &word[digits..]));
         block.fault(Diagnostic::new(said::TwoSigns { word }, span).with(fix));
     }
 
@@ -827,13 +841,14 @@ impl<'a> Parser<'a> {
         let text = self.lexer.text();
         let Some(misread) = misread::read(text, start as usize) else { return false };
         self.lexer.seek(start as usize + misread.len);
-        if may_read_faults(block) {
-            take_misread(self, block, start, &misread);
+        if require_fault_part(block) {
+            report_misread(self, block, start, &misread);
         }
         true
     }
 
-    fn take_misread(&mut self, block: &mut Block, start: u32, misread: &Misread) {
+    /// Reports a misread word, and stores it as intended.
+    fn report_misread(&mut self, block: &mut Block, start: u32, misread: &Misread) {
         let text = self.lexer.text();
         let span = Span { start, end: start + misread.len as u32 };
         let word = span.quote(text);
@@ -877,7 +892,7 @@ impl<'a> Parser<'a> {
                 let Word { address, comma: with_comma, value, span: start } = taken;
                 let negative = matches!(value, Value::Number { negative: true, .. });
                 let word = CommaWord { address, comma: with_comma, negative, start };
-                self.word_with_comma(block, word, comma, span);
+                self.comma_word(block, word, comma, span);
             }
             _ => {
                 self.lexer.seek(after);
@@ -893,10 +908,12 @@ impl<'a> Parser<'a> {
         word.is_some_and(|word| between(word).iter().all(|&byte| is_blank(byte)))
     }
 
+    /// Reads a `%`. At the head of a block it is a block of its own, at the end of the program it ends the
+    /// program, and elsewhere it is an error.
     fn percent(&mut self, block: &mut Block, span: Span) {
         if block.words.is_empty() && block.program.is_none() && block.sequence.is_none() {
             block.kind = BlockKind::Percent;
-            // The text after the sign on its line is the leader of the tape.
+            // The rest of the line is not read.
             self.skip_line();
         } else if self.ends_tape() {
             self.skip_line();
@@ -909,13 +926,15 @@ impl<'a> Parser<'a> {
     /// Whether only another program, or its `%`, follows a percent sign: `M30%` as the last line of a file.
     fn ends_tape(&self) -> bool {
         const SEARCHED: usize = 200;
-        let behind = &self.lexer.text()[self.lexer.position()..];
-        let line = line_end(behind, 0);
-        let next = behind.iter().take(SEARCHED).find(|byte| !is_between_blocks(**byte));
-        let alone = behind[..line].iter().all(|byte| is_between_blocks(*byte));
+        let after = &self.lexer.text()[self.lexer.position()..];
+        let line = line_end(after, 0);
+        let next = after.iter().take(SEARCHED).find(|byte| !is_between_blocks(**byte));
+        let alone = after[..line].iter().all(|byte| is_between_blocks(*byte));
         alone && next.is_none_or(|byte| matches!(byte, b'%' | b'O' | b'o' | b':'))
     }
 
+    /// Reads the level of a `/`, which is 1 if it has none. After a word, the `/` applies to the words that
+    /// follow.
     fn slash(&mut self, block: &mut Block) {
         let mut level = 1;
         if let Some(byte @ b'1'..=b'9') = self.lexer.peek_byte() {
@@ -940,19 +959,19 @@ impl<'a> Parser<'a> {
             b'D' => b"DO",
             b'E' => b"END",
             b'T' => b"THEN",
-            b'P' if self.follows(first, b"PCLOS") => return true,
+            b'P' if self.is_at(first, b"PCLOS") => return true,
             b'P' => b"POPEN",
             b'B' => b"BPRNT",
             b'S' => b"SETVN",
             _ => return false,
         };
-        if letter == b'D' && self.follows(first, b"DPRNT") {
+        if letter == b'D' && self.is_at(first, b"DPRNT") {
             return true;
         }
-        self.follows(first, keyword)
+        self.is_at(first, keyword)
     }
 
-    /// Whether the keyword at the head of a block after `;` begins a sentence: `; end of program`.
+    /// Whether the keyword at the head of a block after `;` begins a remark: `; end of program`.
     fn begins_remark(&self, block: &mut Block, first: Span) -> bool {
         // Once for each block: the search continues to its end.
         let is_head = block.is_empty() && block.faults.is_empty() && !block.is_unread;
@@ -964,14 +983,14 @@ impl<'a> Parser<'a> {
             return false;
         }
         let rest = &self.lexer.text()[first.start as usize..];
-        // Includes the `;` that ends the block: a lone keyword before it is not a sentence.
+        // Includes the `;` that ends the block: a lone keyword before it is not a remark.
         let end = memchr::memchr3(b';', b'\n', b'\r', rest)
             .map_or(rest.len(), |end| end + usize::from(rest[end] == b';'));
         is_sentence(&rest[..end])
     }
 
     /// Whether a keyword begins at a place.
-    fn follows(&self, first: Span, keyword: &[u8]) -> bool {
+    fn is_at(&self, first: Span, keyword: &[u8]) -> bool {
         let rest = &self.lexer.text()[first.start as usize..];
         rest.len() >= keyword.len() && rest[..keyword.len()].eq_ignore_ascii_case(keyword)
     }
@@ -999,6 +1018,7 @@ impl<'a> Parser<'a> {
         }
     }
 
+    /// Reads a macro statement, whose first token was consumed, up to the end of the block.
     fn macro_statement(&mut self, block: &mut Block, first: Span) {
         block.kind = BlockKind::Macro;
         block.statement = first.start;
@@ -1048,16 +1068,17 @@ impl<'a> Parser<'a> {
     }
 
     /// Turns text after a `;` that does not read as words into a remark.
-    fn take_as_comment(&self, block: &mut Block, is_sure: bool) {
+    fn keep_as_remark(&self, block: &mut Block, is_sure: bool) {
         let text = self.lexer.text();
         let remark = trimmed(text, block.span);
         keep_as_comment(block, remark);
-        let told = Diagnostic::new(said::TextAfterSemicolon { text: short_quote(text, remark) }, remark);
-        block.fault(in_brackets(text, told, is_sure));
+        let diagnostic =
+            Diagnostic::new(said::TextAfterSemicolon { text: short_quote(text, remark) }, remark);
+        block.fault(in_brackets(text, diagnostic, is_sure));
     }
 
     /// Parses a block without the remark after its `//` or arrow.
-    fn take_marked_remark(&self, block: &mut Block, remark: Span, after_semicolon: bool) {
+    fn keep_marked_remark(&self, block: &mut Block, remark: Span, after_semicolon: bool) {
         let text = self.lexer.text();
         let Span { start: byte, .. } = block.span;
         let here = Resume { byte, line: block.line, begun: self.begun, after_semicolon, ended: false };
@@ -1066,11 +1087,11 @@ impl<'a> Parser<'a> {
         let mut rest = Block::default();
         own.next_block(&mut rest);
         (rest.span, rest.line) = (block.span, block.line);
-        let told = Diagnostic::new(said::TextAfterSlashes { text: short_quote(text, remark) }, remark);
+        let diagnostic = Diagnostic::new(said::TextAfterSlashes { text: short_quote(text, remark) }, remark);
         let plain = PlainWords::of(text, remark, &[]);
         let is_sure = !plain.has_value && !plain.is_ambiguous;
         rest.comment(remark);
-        rest.fault(in_brackets_without(&MARKS, text, told, is_sure));
+        rest.fault(in_brackets_without(&MARKS, text, diagnostic, is_sure));
         *block = rest;
     }
 
@@ -1135,7 +1156,7 @@ impl Resume {
 }
 
 /// Start of the first `%` of a text, if the text before it is the leader of the tape, which a control skips
-/// (B-64484EN, program components). Only prose before a program counts as a leader: a program with mistakes
+/// (B-64484EN, program components). Only text before a program counts as a leader: a program with mistakes
 /// and a single `%` at its end is parsed.
 fn leader(text: &[u8]) -> Option<u32> {
     let head = &text[..text.len().min(LEADER)];
@@ -1152,8 +1173,8 @@ fn leader(text: &[u8]) -> Option<u32> {
     all_blocks(&text[..sign], leads).then_some(sign as u32)
 }
 
-/// Whether a line begins with a program number.
-fn precedes_number_of_program(head: &[u8]) -> bool {
+/// Whether one of the lines begins with a program number.
+fn has_program_number(head: &[u8]) -> bool {
     let is_number = |line: &[u8]| matches!(line.trim_ascii_start(), [b'O' | b'o' | b':', b'0'..=b'9', ..]);
     head.split(|byte| matches!(byte, b'\n' | b'\r')).any(is_number)
 }
@@ -1214,13 +1235,14 @@ fn marked_remark(text: &[u8], block: &Block) -> Option<Span> {
     let after = after.trim_start_matches(MARKS).as_bytes();
     let is_text = match is_slashed {
         true => begins_as_sentence(after) || begins_in_other_script(after),
+        // After `[` or `#`, the mark may belong to a macro expression.
         false => reads_as_prose(after) && !own[..at].iter().any(|byte| b"[#".contains(byte)),
     };
     is_text.then_some(remark)
 }
 
-/// The message about a comment over several lines, which end at `ends`. The fix puts each of them in
-/// brackets.
+/// The message about a comment over several lines. `ends`: the ends of its lines, except the last. The fix
+/// puts each line in brackets.
 fn over_lines(text: &[u8], open: Span, ends: &[u32]) -> Diagnostic {
     let edits = ends.iter().flat_map(|&end| {
         let close = end - u32::from(text[end as usize - 1] == b'\r');
@@ -1239,10 +1261,9 @@ fn keep_as_comment(block: &mut Block, remark: Span) {
     block.comment(remark);
 }
 
-/// Whether text that belongs to no word cannot be a word: a rule of dashes, commas between remarks, words in
-/// letters that are not addresses, a remark with unbalanced brackets. Only these may be treated as remarks,
-/// because other text may contain a lost sign.
-fn decorates(bytes: &[u8]) -> bool {
+/// Whether text cannot be words: a line of dashes or commas, text in another script, or a comment with a
+/// bracket too many. Only such text may be treated as a remark, because other text may contain a lost sign.
+fn is_decoration(bytes: &[u8]) -> bool {
     const LETTERS: usize = 4;
     let rule =
         bytes.len() > 1 && bytes.iter().all(|byte| matches!(byte, b'-' | b'_' | b'=' | b'*' | b' ' | b','));
@@ -1251,12 +1272,12 @@ fn decorates(bytes: &[u8]) -> bool {
         && !String::from_utf8_lossy(bytes).contains(|sign: char| {
             sign.is_numeric() || sign.is_alphanumeric() && misread::is_full_width(sign)
         });
-    // `(FACE) ROUGH), (TURN)`: a remark with a bracket too many.
+    // `(FACE) ROUGH), (TURN)`: a comment with a bracket too many.
     let bracketed = bytes.first() == Some(&b'(') && bytes.last() == Some(&b')');
     rule || foreign || bracketed
 }
 
-/// Whether a line only has remarks in brackets, with nothing but punctuation between them.
+/// Whether a line consists of comments and punctuation.
 fn only_marks_outside_brackets(bytes: &[u8]) -> bool {
     let mut outside = true;
     let mut remarks = false;
@@ -1272,8 +1293,8 @@ fn only_marks_outside_brackets(bytes: &[u8]) -> bool {
     remarks && outside
 }
 
-/// Whether some bytes look like a sentence rather than words of a block: three consecutive letters, or
-/// letters that are not ASCII.
+/// Whether some bytes look like text rather than words of a block: three consecutive letters, or a character
+/// that is not ASCII.
 fn reads_as_prose(bytes: &[u8]) -> bool {
     !bytes.is_ascii() || bytes.windows(3).any(|run| run.iter().all(u8::is_ascii_alphabetic))
 }
@@ -1288,28 +1309,30 @@ fn without_second_point(word: &str) -> Option<String> {
 }
 
 /// Adds a fix that puts a remark in brackets, unless it contains brackets.
-fn in_brackets(text: &[u8], told: Diagnostic, is_sure: bool) -> Diagnostic {
-    in_brackets_without(&[], text, told, is_sure)
+fn in_brackets(text: &[u8], diagnostic: Diagnostic, is_sure: bool) -> Diagnostic {
+    in_brackets_without(&[], text, diagnostic, is_sure)
 }
 
-/// The same without the characters at its head that mark it as a remark.
-fn in_brackets_without(signs: &[char], text: &[u8], told: Diagnostic, is_sure: bool) -> Diagnostic {
-    match std::str::from_utf8(told.span.of(text)).map(|remark| remark.trim_start_matches(signs)) {
+/// Adds a fix that puts a remark in brackets without the characters `signs` at its head, unless nothing is
+/// left or it contains brackets.
+fn in_brackets_without(signs: &[char], text: &[u8], diagnostic: Diagnostic, is_sure: bool) -> Diagnostic {
+    match std::str::from_utf8(diagnostic.span.of(text)).map(|remark| remark.trim_start_matches(signs)) {
         Ok(remark) if !remark.is_empty() && !remark.contains(['(', ')', '（', '）']) => {
-            let fix = Fix { safe: is_sure, ..Fix::write(told.span, format!("({remark})")) };
-            told.with(fix)
+            let fix = Fix { safe: is_sure, ..Fix::write(diagnostic.span, format!("({remark})")) };
+            diagnostic.with(fix)
         }
-        _ => told,
+        _ => diagnostic,
     }
 }
 
-/// Whether a block with this word names a program: M98, M198, G65, G66.
+/// Whether a block with this word calls a program: M98, M198, G65, G66.
 fn calls_program(word: &Word) -> bool {
     let Value::Number { number, negative: false } = word.value else { return false };
     matches!((word.address, number.integer()), (b'M', Some(98 | 198)) | (b'G', Some(65 | 66)))
 }
 
-/// Drops surplus errors. Errors with a safe fix are all kept: an error revealed by a fix would count as new.
+/// Drops surplus errors. Errors with a safe fix are all kept: otherwise applying a fix would show an error
+/// that was dropped here, and the fix would seem to cause it.
 fn keep_faults(faults: &mut Vec<Diagnostic>) {
     let mut others = 0;
     faults.retain(|fault| {
@@ -1348,13 +1371,15 @@ fn trimmed(text: &[u8], span: Span) -> Span {
     Span { start: span.start + front as u32, end: span.end - back as u32 }
 }
 
-/// Longest quotation of the program in a message, in characters.
-const QUOTE_LENGTH: usize = 40;
-
+/// A text without its ASCII white space.
 fn without_blanks(written: &str) -> String {
     written.chars().filter(|letter| !letter.is_ascii_whitespace()).collect()
 }
 
+/// Maximum length of a quotation of the program in a message, in characters.
+const QUOTE_LENGTH: usize = 40;
+
+/// The text of a span, shortened to [`QUOTE_LENGTH`].
 pub(crate) fn short_quote(text: &[u8], span: Span) -> String {
     let end = span.end.min(span.start + 4 * QUOTE_LENGTH as u32);
     let quote = Span { start: span.start, end }.quote(text);
@@ -1430,7 +1455,7 @@ mod tests {
     }
 
     #[test]
-    fn each_fault_is_told_once() {
+    fn each_fault_is_reported_once() {
         assert_eq!(read("X-12.8."), ["!second-decimal-point"]);
         assert_eq!(read("X-11.Z"), ["X-11 !number-missing"]);
         assert_eq!(read("G01 Z,15"), ["G1 Z0.15 !comma-for-point"]);
@@ -1453,7 +1478,7 @@ mod tests {
     }
 
     #[test]
-    fn prose_behind_a_semicolon_is_a_remark() {
+    fn text_after_a_semicolon_is_a_remark() {
         assert_eq!(read("G0 X1; rough the face"), ["G0 X1", "!text-after-semicolon"]);
         for remark in [
             "turn to Z-50 (F0.2)",

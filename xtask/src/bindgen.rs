@@ -1,5 +1,5 @@
-//! In: a compiled module. Out: the module with its JavaScript, made by wasm-bindgen. The version in
-//! Cargo.lock equals that of the crate `wasm-bindgen`: the two share a private format.
+//! In: a compiled module. Out: the module with its JavaScript, made by wasm-bindgen. In Cargo.lock
+//! `wasm-bindgen-cli-support` has the version of `wasm-bindgen`, because the two share a private format.
 
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -19,20 +19,21 @@ pub enum For {
     Node,
 }
 
-/// Writes the package of a module into a folder.
-pub fn package(module: &Path, name: &str, folder: &Path, goal: For) -> Result<Duration> {
+/// Writes the package of a module into a folder. Returns the time it took.
+pub fn package(module: &Path, name: &str, folder: &Path, target: For) -> Result<Duration> {
     let begun = Instant::now();
-    let made = || {
+    let generate = || {
         let mut bindgen = Bindgen::new();
+        // As the command of wasm-bindgen does: the script finds the module in its own folder.
         bindgen.input_path(module).out_name(name).omit_default_module_path(false);
-        match goal {
+        match target {
             For::Page => bindgen.web(true)?.typescript(true),
             For::PageWithParts => bindgen.web(true)?.typescript(true).keep_lld_exports(true),
             For::Node => bindgen.nodejs_module(true)?,
         };
         bindgen.generate(folder)
     };
-    made().map_err(|error| format!("wasm-bindgen cannot read {}: {error:#}", module.display()))?;
+    generate().map_err(|error| format!("wasm-bindgen cannot read {}: {error:#}", module.display()))?;
     let time = begun.elapsed();
     run::say(format_args!("building the package {name} by wasm-bindgen: done in {}", run::pretty(time)));
     Ok(time)

@@ -1,3 +1,5 @@
+//! Installs Python and npm packages for checks, once for each list of packages.
+//!
 //! In: names of Python and npm packages with their versions, and the name of a cache folder. Out: that folder
 //! in the cache of the user, with the packages installed once. Does not know what the packages are for.
 
@@ -8,8 +10,8 @@ use crate::run::{self, Result, command};
 use crate::tools;
 
 /// The folder with the programs of the Python packages, including `python`.
-pub fn python(place: &str, packages: &[&str]) -> Result<PathBuf> {
-    let folder = tools::cache()?.join(place);
+pub fn python(name: &str, packages: &[&str]) -> Result<PathBuf> {
+    let folder = tools::cache()?.join(name);
     let bin = folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
     let stamp = folder.join("installed");
     if !is_installed(&stamp, packages) {
@@ -28,9 +30,9 @@ pub fn python(place: &str, packages: &[&str]) -> Result<PathBuf> {
     Ok(bin)
 }
 
-/// The folder of a site with npm packages; their install scripts are not run.
-pub fn npm(place: &str, packages: &[&str]) -> Result<PathBuf> {
-    let folder = tools::cache()?.join(place);
+/// The folder whose `node_modules` has these npm packages. Their install scripts are not run.
+pub fn npm(name: &str, packages: &[&str]) -> Result<PathBuf> {
+    let folder = tools::cache()?.join(name);
     let stamp = folder.join("installed");
     if !is_installed(&stamp, packages) {
         fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
@@ -48,7 +50,8 @@ pub fn npm(place: &str, packages: &[&str]) -> Result<PathBuf> {
     Ok(folder)
 }
 
-/// Whether exactly these packages were installed last.
+/// Whether the last installation was of these packages. An npm folder may also have packages of earlier
+/// lists.
 fn is_installed(stamp: &Path, packages: &[&str]) -> bool {
     fs::read_to_string(stamp).is_ok_and(|installed| installed == packages.join(" "))
 }

@@ -19,11 +19,12 @@ pub enum Prefix {
     Letters,
 }
 
-/// The syntax typed before a byte, and its span; `None` in a comment, or where no word can begin.
+/// The syntax typed before a byte, and its span. `None` in a comment, after a `;` on the same line (the text
+/// there is usually a remark), and if the text before the byte matches no variant.
 pub fn prefix_at(text: &[u8], line: u32, byte: u32) -> Option<(Prefix, Span)> {
     let (line, byte) = (line as usize, (byte as usize).min(text.len()));
     let before = text.get(line..byte)?;
-    let is_comment = before.iter().fold(false, |is_comment, &at| match at {
+    let is_comment = before.iter().fold(false, |is_comment, &byte| match byte {
         b'(' => true,
         b')' => false,
         _ => is_comment,
@@ -31,26 +32,27 @@ pub fn prefix_at(text: &[u8], line: u32, byte: u32) -> Option<(Prefix, Span)> {
     if is_comment || before.contains(&b';') {
         return None;
     }
-    let of_number = |at: &u8| at.is_ascii_digit() || matches!(at, b'.' | b'-' | b'+');
-    let digits = before.iter().rev().take_while(|at| of_number(at)).count();
+    let is_of_number = |byte: &u8| byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'+');
+    let digits = before.iter().rev().take_while(|byte| is_of_number(byte)).count();
     let head = &before[..before.len() - digits];
-    let from = |bytes: usize| Span::new(byte - bytes, byte);
-    let letters = head.iter().rev().take_while(|at| at.is_ascii_alphabetic() || !at.is_ascii()).count();
-    let word = |bytes: usize| head[head.len() - bytes..].to_ascii_uppercase();
+    let last = |bytes: usize| Span::new(byte - bytes, byte);
+    let letters = head.iter().rev().take_while(|byte| byte.is_ascii_alphabetic() || !byte.is_ascii()).count();
+    let last_letters = |bytes: usize| head[head.len() - bytes..].to_ascii_uppercase();
     match head.last() {
-        Some(b'#') => Some((Prefix::Variable, from(digits + 1))),
-        Some(_) if letters == 1 => Some((Prefix::Word(word(1)[0]), from(digits + 1))),
-        Some(_) if letters >= 4 && word(4) == b"GOTO" => Some((Prefix::Goto, from(digits))),
-        Some(_) if letters > 1 && digits == 0 => Some((Prefix::Letters, from(letters))),
+        Some(b'#') => Some((Prefix::Variable, last(digits + 1))),
+        Some(_) if letters == 1 => Some((Prefix::Word(last_letters(1)[0]), last(digits + 1))),
+        Some(_) if letters >= 4 && last_letters(4) == b"GOTO" => Some((Prefix::Goto, last(digits))),
+        Some(_) if letters > 1 && digits == 0 => Some((Prefix::Letters, last(letters))),
         Some(b' ' | b'\t') if head.trim_ascii_end().to_ascii_uppercase().ends_with(b"GOTO") => {
-            Some((Prefix::Goto, from(digits)))
+            Some((Prefix::Goto, last(digits)))
         }
-        None | Some(b' ' | b'\t') if digits == 0 => Some((Prefix::Nothing, from(0))),
+        None | Some(b' ' | b'\t') if digits == 0 => Some((Prefix::Nothing, last(0))),
         _ => None,
     }
 }
 
-/// Whether a proposal starts with the typed text: `G1` matches G01 and G10.
+/// Whether a proposal matches the typed text. Numbers after G, M, N, P and T match with and without a leading
+/// zero: `G1` matches G01 and G10. Letters of a macro statement match a snippet by its keyword, WHILE or IF.
 pub fn begins_with(item: &Item, typed: &str, prefix: Prefix) -> bool {
     let first = match item.pieces.first() {
         Some(Piece::Fixed(text) | Piece::Fill(text)) => text.as_str(),
@@ -64,13 +66,14 @@ pub fn begins_with(item: &Item, typed: &str, prefix: Prefix) -> bool {
                 Some(Piece::Fill(value)) if first.len() == 1 => format!("{first}{value}"),
                 _ => first.to_owned(),
             };
-            let plain = |text: &str| match text.split_at_checked(2) {
+            // Letters whose numbers are often written with a leading zero.
+            let without_leading_zero = |text: &str| match text.split_at_checked(2) {
                 Some((head @ ("G0" | "M0" | "N0" | "P0" | "T0"), rest)) if !rest.is_empty() => {
                     format!("{}{rest}", &head[..1])
                 }
                 _ => text.to_owned(),
             };
-            text.starts_with(typed) || plain(&text).starts_with(&plain(typed))
+            text.starts_with(typed) || without_leading_zero(&text).starts_with(&without_leading_zero(typed))
         }
         Prefix::Letters => match item.what {
             What::Snippet(Snippet::Loop) => "WHILE".starts_with(typed),

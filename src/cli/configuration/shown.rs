@@ -1,6 +1,6 @@
 //! `config`: prints the settings of a program, each with its source.
 //!
-//! In: the name of a program, options. Out: text, or JSON with one row for each key.
+//! In: the name of a program, options. Out: text, or JSON with one row for each value.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -24,11 +24,11 @@ pub(in crate::cli) struct Config {
 }
 
 /// Runs `config`.
-pub(in crate::cli) fn run(asked: &Config) -> Result<Status, String> {
-    let file = asked.file.as_deref().unwrap_or(Path::new("program"));
-    let settings = Configurations::new(&asked.with)?.settings(file)?;
-    let rows = rows(&settings, &asked.with);
-    print(|out| write(out, &settings, &rows, asked.form.format))?;
+pub(in crate::cli) fn run(arguments: &Config) -> Result<Status, String> {
+    let file = arguments.file.as_deref().unwrap_or(Path::new("program"));
+    let settings = Configurations::new(&arguments.with)?.settings(file)?;
+    let rows = rows(&settings, &arguments.with);
+    print(|out| write(out, &settings, &rows, arguments.form.format))?;
     Ok(Status::Right)
 }
 
@@ -49,41 +49,41 @@ fn write(out: &mut dyn Write, settings: &Settings, rows: &[Row], format: Format)
     Ok(())
 }
 
-/// The settings, one row for each key.
+/// The settings, one row for each value.
 fn rows(settings: &Settings, with: &With) -> Vec<Row> {
-    let mut rows =
-        Rows { list: Vec::new(), file: settings.configuration.as_deref().map(|one| one.name.clone()) };
-    let said = |name: fn(&Values) -> Option<&Located<Control>>| settings.values().filter_map(name).last();
-    match (&with.control, said(|values| values.control.as_ref())) {
-        (Some(name), _) => rows.by("control", name.control().name(), "--control"),
-        (None, Some(said)) => rows.said("control", said.value.name(), said),
+    let file = settings.configuration.as_deref().map(|configuration| configuration.name.clone());
+    let mut rows = Rows { list: Vec::new(), file };
+    let located = |name: fn(&Values) -> Option<&Located<Control>>| settings.values().filter_map(name).last();
+    match (&with.control, located(|values| values.control.as_ref())) {
+        (Some(name), _) => rows.add("control", name.control().name(), "--control"),
+        (None, Some(located)) => rows.add_located("control", located.value.name(), located),
         (None, None) => match control_of_setups(settings) {
-            Some((name, file)) => rows.by("control", &name, &file),
-            None => rows.usual("control", "fanuc, if the program says nothing else"),
+            Some((name, file)) => rows.add("control", &name, &file),
+            None => rows.add_default("control", "fanuc, if the program says nothing else"),
         },
     }
-    for said in settings.values().flat_map(|values| &values.setup) {
-        rows.said("setup", &said.value, said);
+    for located in settings.values().flat_map(|values| &values.setup) {
+        rows.add_located("setup", &located.value, located);
     }
     for path in &with.setup {
-        rows.by("setup", &shown(path), "--setup");
+        rows.add("setup", &shown(path), "--setup");
     }
     if settings.setups.is_empty() {
-        rows.usual("setup", "none");
+        rows.add_default("setup", "none");
     }
-    for said in settings.values().flat_map(|values| &values.rules) {
-        let (name, level): (&str, Severity) = said.value;
-        rows.said(&format!("rules.{name}"), level.name(), said);
+    for located in settings.values().flat_map(|values| &values.rules) {
+        let (name, level): (&str, Severity) = located.value;
+        rows.add_located(&format!("rules.{name}"), level.name(), located);
     }
     let select = settings.values().filter(|values| !values.select.is_empty()).last();
-    for said in select.into_iter().flat_map(|values| &values.select) {
-        rows.said("select", said.value, said);
+    for located in select.into_iter().flat_map(|values| &values.select) {
+        rows.add_located("select", located.value, located);
     }
     if select.is_none() {
-        rows.usual("select", "all rules");
+        rows.add_default("select", "all rules");
     }
-    for said in settings.values().flat_map(|values| &values.ignore) {
-        rows.said("ignore", said.value, said);
+    for located in settings.values().flat_map(|values| &values.ignore) {
+        rows.add_located("ignore", located.value, located);
     }
     whole_check(&mut rows, settings.configuration.as_deref());
     rows.list
@@ -97,12 +97,12 @@ fn control_of_setups(settings: &Settings) -> Option<(String, String)> {
     })
 }
 
-/// Rows for the settings of a whole check started in the folder.
+/// Adds the settings of a check as a whole, as they apply if it is started in the folder of the program.
 fn whole_check(rows: &mut Rows, configuration: Option<&Configuration>) {
-    let keys = configuration.map(|one| &one.keys);
+    let keys = configuration.map(|configuration| &configuration.keys);
     match keys.and_then(|keys| keys.language.as_ref()) {
-        Some(said) => rows.said("language", said.value.tag(), said),
-        None => rows.usual("language", "en"),
+        Some(located) => rows.add_located("language", located.value.tag(), located),
+        None => rows.add_default("language", "en"),
     }
     let lists = [
         ("extension", keys.map(|keys| &keys.extension)),
@@ -110,13 +110,13 @@ fn whole_check(rows: &mut Rows, configuration: Option<&Configuration>) {
         ("library", keys.map(|keys| &keys.library)),
     ];
     for (key, list) in lists {
-        list.into_iter().flatten().for_each(|said| rows.said(key, &said.value, said));
+        list.into_iter().flatten().for_each(|located| rows.add_located(key, &located.value, located));
     }
-    if let Some(said) = keys.and_then(|keys| keys.baseline.as_ref()) {
-        rows.said("baseline", &said.value, said);
+    if let Some(located) = keys.and_then(|keys| keys.baseline.as_ref()) {
+        rows.add_located("baseline", &located.value, located);
     }
-    if let Some(said) = keys.and_then(|keys| keys.max_warnings.as_ref()) {
-        rows.said("max-warnings", &said.value.to_string(), said);
+    if let Some(located) = keys.and_then(|keys| keys.max_warnings.as_ref()) {
+        rows.add_located("max-warnings", &located.value.to_string(), located);
     }
 }
 
@@ -127,16 +127,16 @@ struct Rows {
 }
 
 impl Rows {
-    fn said<T>(&mut self, key: &str, value: &str, said: &Located<T>) {
+    fn add_located<T>(&mut self, key: &str, value: &str, located: &Located<T>) {
         let file = self.file.clone().unwrap_or_default();
-        self.by(key, value, &format!("{file}:{}", said.line));
+        self.add(key, value, &format!("{file}:{}", located.line));
     }
 
-    fn by(&mut self, key: &str, value: &str, from: &str) {
+    fn add(&mut self, key: &str, value: &str, from: &str) {
         self.list.push(Row { key: key.to_owned(), value: value.to_owned(), from: Some(from.to_owned()) });
     }
 
-    fn usual(&mut self, key: &str, value: &str) {
+    fn add_default(&mut self, key: &str, value: &str) {
         self.list.push(Row { key: key.to_owned(), value: value.to_owned(), from: None });
     }
 }

@@ -1,6 +1,7 @@
 //! Output of motions into the list, and the limits of that list.
 //!
-//! In: motions. Out: those with a length, in machine coordinates.
+//! In: motions. Out: those that change anything, in machine coordinates. A dwell and a rotation of C count as
+//! changes.
 
 use super::Interpreter;
 use crate::control::events::Event;
@@ -13,12 +14,12 @@ use crate::parts::{Part, late};
 use crate::setup::tool_words::{is_second_operation, turns_round};
 use crate::text::block::Block;
 
-/// The part of the module that reads comments about turning the part round. A run without it starts again
-/// when it is loaded, because the lints need it, too.
+/// The part of the module that reads comments about flipping the part. The lints are in the same part; a run
+/// that began without them is repeated once the part is loaded.
 const OTHER_END: Part = Part::Late;
 
 late! {
-    /// Whether the comments of a block say that the part is turned round.
+    /// Whether the comments of a block say that the part is flipped, so that the other end is machined.
     fn announces_other_end(text: &[u8], block: &Block, stop: Option<StopKind>) -> bool {
         // A comment in a block with a T word is about the tool.
         !block.words.iter().any(|word| word.address == b'T')
@@ -47,46 +48,46 @@ impl Interpreter {
             programmed: None,
             rotary: None,
             cycle: None,
-            // Whether a block has failed is determined when the motion is stored, because it may wait for the
-            // next one.
+            // `store` determines whether a block has failed, because the motion may wait for the next one.
             process: Process { incomplete: false, ..self.state.process() },
         }
     }
 
-    /// Outputs a motion unless it has no length, and moves the tip to its end.
+    /// Outputs a motion unless it changes nothing, and moves the tip to its end.
     #[inline]
     pub(super) fn push(&mut self, block: &Block, motion: Motion) {
         self.emit(self.path_move(block, motion));
         self.state.position = motion.to;
     }
 
-    /// Looks for comments about turning the part round. `stop`: the block is M00 or M01.
+    /// Looks for comments about flipping the part. `stop`: the block is M00 or M01.
     #[cold]
     pub(super) fn look_for_other_end(&mut self, text: &[u8], block: &Block, stop: Option<StopKind>) {
         if !self.state.frames.has_cut() || self.contours.recorded.is_some() {
             return;
         }
-        let says = OTHER_END.is_loaded() && announces_other_end(text, block, stop);
+        let is_announced = OTHER_END.is_loaded() && announces_other_end(text, block, stop);
         let frames = &mut self.state.frames;
-        let mut turns = stop.is_some() && frames.stop();
-        turns |= says && frames.announce_other_end();
-        if turns {
+        let mut is_flipped = stop.is_some() && frames.stop();
+        is_flipped |= is_announced && frames.announce_other_end();
+        if is_flipped {
             self.state.frames.update_workpiece_zero();
         }
     }
 
-    /// Outputs a motion unless it has no length.
+    /// Outputs a motion unless it changes nothing.
     #[inline]
     pub(super) fn emit(&mut self, mut path_move: PathMove) {
         if let Some(kind) = path_move.stop {
             let stop = Stop { kind, span: path_move.span, line: path_move.line };
             // Of several stops at one position, a stop that cannot be skipped wins.
-            let own = &mut self.state.stop;
-            if own.is_none_or(|before| before.kind == StopKind::Optional) {
-                *own = Some(stop);
+            let waiting = &mut self.state.stop;
+            if waiting.is_none_or(|before| before.kind == StopKind::Optional) {
+                *waiting = Some(stop);
             }
             return;
         }
+        // Compensation or a tool offset has left the tip beside the programmed point.
         if let Some(tip) = self.state.tip.take() {
             path_move.motion.from = tip;
         }
@@ -117,7 +118,7 @@ impl Interpreter {
             self.sink.end(said::TooManyMotions { most: self.setup.limits.motions }.into(), path_move.span);
             return;
         }
-        // A block after the block of a waiting motion may have failed.
+        // Read again: a later block may have failed while this motion waited.
         path_move.motion.process.incomplete |= self.state.incomplete;
         if let Some(stop) = self.state.stop.take() {
             self.sink.chunk.stop(&stop);
@@ -132,6 +133,7 @@ impl Interpreter {
     pub(super) fn turning(&mut self, motion: Motion, c: Option<f64>) -> Motion {
         let Some(to) = c else { return motion };
         let from = std::mem::replace(&mut self.state.c, to);
+        // The feed distance of one degree.
         let degree = self.state.unit.millimetres();
         let rotary = (from != to).then_some(Rotary { from, to, degree, virtual_move: None });
         Motion { rotary, ..motion }
@@ -175,7 +177,7 @@ impl Interpreter {
         path_move
     }
 
-    /// The first cut determines the frame of the workpiece.
+    /// Places the motions before the first cut on the workpiece, whose position the first cut determines.
     #[cold]
     pub(super) fn place_motions_before(&mut self) {
         let frames = &self.state.frames;

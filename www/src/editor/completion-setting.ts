@@ -1,5 +1,4 @@
-// The setting whether completion opens while the user types. It is stored in the browser; a failure to store is
-// ignored.
+// Whether completion opens while the user types, stored in the browser.
 
 const KEY = 'gcode-playground:completes';
 let enabled: boolean | undefined;
@@ -14,7 +13,7 @@ export function setCompletionEnabled(on: boolean): void {
   try {
     localStorage.setItem(KEY, on ? 'on' : 'off');
   } catch {
-    // The setting is then valid until the page is closed.
+    // It then holds until the page is closed.
   }
 }
 

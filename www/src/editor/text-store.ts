@@ -15,7 +15,7 @@ export interface Span {
 /** A range of the text and its replacement. */
 export type Change = Pick<Fix['edits'][number], 'from' | 'to' | 'text'>;
 
-/** Lines from 1, both included. */
+/** Line numbers, 1-based and inclusive. */
 export interface LineRange {
   readonly first: number;
   readonly last: number;
@@ -24,7 +24,10 @@ export interface LineRange {
 /** Whether the user can edit the text. */
 export type Access = 'editable' | 'readonly';
 
-/** How the user has changed the text: key by key or by a proposal, or in one piece. */
+/**
+ * How the user has changed the text. `typed`: with keys or by completion. `inserted`: by paste, drop or another edit
+ * that adds several lines.
+ */
 export type Input = 'typed' | 'inserted';
 
 export interface TextEvents {
@@ -32,12 +35,17 @@ export interface TextEvents {
   onFileChanged(): void;
 }
 
-/** How the program is run, and its origin. */
+/**
+ * The settings that a program is run with, as the attributes of the element have them, and its origin. `null`: not set.
+ */
 export interface ProgramContext {
+  /** `fanuc`, `gsk` or `forum`; overrides the control of the setup. */
   readonly control: string | null;
-  /** JSON */
+  /** JSON. */
   readonly setup: string | null;
+  /** The active levels of block skip, such as `1,2`; overrides those of the setup. */
   readonly blockSkip: string | null;
+  /** The O number of the program to run; overrides that of the setup. */
   readonly program: string | null;
   /** An identifier set by the page; null for a program of the user. */
   readonly origin: string | null;
@@ -57,7 +65,7 @@ export interface EditorEvents extends TextEvents, ContextSource {
   onCursorMoved(): void;
   /** The tried values have changed, or their blocks have moved. */
   onTrialChanged(): void;
-  /** For help at a place (`place-help`). */
+  /** Returns what `place-help` needs to ask for the help at a place of the text. */
   help(): HelpSource;
   /** Completion could not be loaded; `retry` tries again. */
   onCompletionFailed(reason: unknown, retry: () => void): void;
@@ -66,7 +74,7 @@ export interface EditorEvents extends TextEvents, ContextSource {
   onSettingChosen(setting: Setting): void;
   /** The program is about to get the focus and must become visible. */
   onShowProgram(): void;
-  /** Other lines are visible. */
+  /** The visible range of lines has changed. */
   onViewMoved(): void;
   /** A text was pasted or dropped; the offsets are those after the change. */
   onPasted(from: number, to: number): void;
@@ -101,9 +109,9 @@ export interface TextStore {
     undoable: 'undoable' | 'final',
     context?: ProgramContext,
   ): void;
-  /** Replaces the text by another form of the same program. */
+  /** Replaces the text by the same program in another notation. In the editor, undo restores the previous text. */
   rewrite(text: string): void;
-  /** Edits by the user that are undone together. */
+  /** Applies edits as one undo step, as if the user had made them. */
   change(edits: readonly Change[]): void;
   select(span: Span): void;
 }

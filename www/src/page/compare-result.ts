@@ -19,26 +19,27 @@ type Names = readonly [string, string];
 interface RenderOptions {
   readonly names: Names;
   readonly language: Language;
-  /** Called when the user clicks a line of the second version, from 1. */
+  /** Called with the 1-based line that the user clicked in the second version. */
   readonly goTo: (line: number) => void;
 }
 
-/** Further hunks are only counted: rendering them all would block the page. */
+/** Maximum number of hunks that are rendered; the rest are only counted, because rendering all would block the page. */
 const MAX_HUNKS = 200;
 
 export function renderResult({ rows, drawing }: DifferenceResult, options: RenderOptions): HTMLElement {
   const { names, language } = options;
   const texts = COMPARE_WORDS[language];
   const shown = make('div', { className: 'difference' });
-  if (rows.readAs.length > 0) shown.append(changes(rows.readAs));
+  if (rows.readAs.length > 0) shown.append(renderChanges(rows.readAs));
   for (const hunk of rows.hunks.slice(0, MAX_HUNKS)) shown.append(renderHunk(hunk, options));
   const blocks = rows.hunks.slice(MAX_HUNKS).reduce((sum, hunk) => sum + hunk.rows.length, rows.moreBlocks);
   if (blocks > 0) shown.append(make('p', {}, texts.more(blocks)));
+  // Unchanged blocks whose motions differ although no hunk can be the cause.
   if (rows.unexplained.blocks > 0)
-    shown.append(later(rows.unexplained, texts.unexplained(rows.unexplained.blocks), options));
+    shown.append(renderLater(rows.unexplained, texts.unexplained(rows.unexplained.blocks), options));
   if (rows.sameText && rows.sameMotions) return shown;
-  shown.append(make('h3', {}, texts.totals), totals(rows.totals, names, texts.what));
-  shown.append(make('h3', {}, texts.part), part(rows, names, language));
+  shown.append(make('h3', {}, texts.totals), renderTotals(rows.totals, names, texts.what));
+  shown.append(make('h3', {}, texts.part), renderPart(rows, names, language));
   for (const [heading, found, which] of [
     [texts.gone, rows.gone, 'first'],
     [texts.new, rows.new, 'second'],
@@ -68,19 +69,19 @@ function renderHunk(hunk: Hunk, options: RenderOptions): HTMLElement {
       make(
         'div',
         { className: 'pair' },
-        block('first', row.first, names[0], options),
-        block('second', row.second, names[1], options),
+        renderBlock('first', row.first, names[0], options),
+        renderBlock('second', row.second, names[1], options),
       ),
     );
-    if (row.changes.length > 0) section.append(changes(row.changes));
+    if (row.changes.length > 0) section.append(renderChanges(row.changes));
   }
   const isMotionUnchanged = hunk.later.blocks === 0 && hunk.rows.every((row) => row.changes.length === 0);
   if (isMotionUnchanged) section.append(make('p', { className: 'still' }, texts.still));
-  if (hunk.later.blocks > 0) section.append(later(hunk.later, texts.later(hunk.later.blocks), options));
+  if (hunk.later.blocks > 0) section.append(renderLater(hunk.later, texts.later(hunk.later.blocks), options));
   return section;
 }
 
-function block(
+function renderBlock(
   which: 'first' | 'second',
   version: Block | undefined,
   name: string,
@@ -98,7 +99,7 @@ function block(
   return make('div', { className: `block ${tag}` }, line, make(tag, {}, make('code', { lang: 'en' }, version.text)));
 }
 
-/** The line of a version; lines of the program on the page are links. */
+/** The line of a version. For the second version, which is on the page, it is a button that goes to the line. */
 function renderLine(
   which: 'first' | 'second',
   line: number,
@@ -111,17 +112,17 @@ function renderLine(
   return button;
 }
 
-function changes(all: readonly Change[]): HTMLElement {
-  return make('ul', { className: 'changes' }, ...all.map((change) => make('li', {}, describeChange(change))));
+function renderChanges(changes: readonly Change[]): HTMLElement {
+  return make('ul', { className: 'changes' }, ...changes.map((change) => make('li', {}, describeChange(change))));
 }
 
 function describeChange({ name, first, second }: Change): string {
   return first === '' && second === '' ? name : `${name}: ${first} → ${second}`;
 }
 
-function later(all: Later, heading: string, options: RenderOptions): HTMLElement {
+function renderLater(later: Later, heading: string, options: RenderOptions): HTMLElement {
   const texts = COMPARE_WORDS[options.language];
-  const items = all.rows.map((row) => {
+  const items = later.rows.map((row) => {
     const version = row.second ?? row.first;
     const code = make('code', { lang: 'en' }, version?.text ?? '');
     const line = renderLine(
@@ -135,7 +136,7 @@ function later(all: Later, heading: string, options: RenderOptions): HTMLElement
   return make('div', { className: 'later' }, make('p', {}, heading), make('ul', {}, ...items));
 }
 
-function totals(rows: readonly Change[], names: Names, what: string): HTMLElement {
+function renderTotals(rows: readonly Change[], names: Names, what: string): HTMLElement {
   const head = make('tr', {}, ...[what, ...names].map((text) => make('th', { scope: 'col' }, text)));
   const lines = rows.map(({ name, first, second }) =>
     make(
@@ -149,11 +150,11 @@ function totals(rows: readonly Change[], names: Names, what: string): HTMLElemen
   return make('table', {}, make('thead', {}, head), make('tbody', {}, ...lines));
 }
 
-function part({ part: found }: ProgramDifference, names: Names, language: Language): HTMLElement {
+function renderPart({ part }: ProgramDifference, names: Names, language: Language): HTMLElement {
   const texts = COMPARE_WORDS[language];
-  if (found === undefined) return make('p', {}, texts.noPart);
-  if (found.differences.length === 0) return make('p', {}, texts.samePart);
-  const places = found.differences.map(({ only, radial, z }) => {
+  if (part === undefined) return make('p', {}, texts.noPart);
+  if (part.differences.length === 0) return make('p', {}, texts.samePart);
+  const places = part.differences.map(({ only, radial, z }) => {
     const [from, to] = [radial.from.x, radial.to.x].map(roundMm);
     const [back, front] = z.map(roundMm);
     return make(
@@ -192,6 +193,7 @@ function renderDrawing(svg: string, label: string): Element | undefined {
   if (parsed.localName !== 'svg') return undefined;
   for (const title of parsed.querySelectorAll('title')) title.remove();
   for (const text of parsed.querySelectorAll('text.legend')) {
+    // The sample that the text explains.
     text.previousElementSibling?.remove();
     text.remove();
   }

@@ -17,7 +17,7 @@ export function toShared({ text, setup, control, blockSkip, program, file }: Sav
   };
 }
 
-/** A saved program has an empty text for a missing value. */
+/** A saved program without a setup or a control may have an empty text for it; a link has `null`. */
 function valueOrNull(text: string | undefined): string | null {
   return text === undefined || text === '' ? null : text;
 }

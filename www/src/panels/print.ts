@@ -1,8 +1,8 @@
 // Printing: program, drawing, problems and setup below each other, in light colours. Page breaks fall between blocks,
 // not inside them.
 //
-// In: the newest report; the command to print (Ctrl P or the browser's menu). Out: a sheet that is visible only in
-// print. Must not know: the contents of a program or a setup.
+// In: the newest report; Ctrl P. Out: a sheet that is visible only in print. If the user prints from the browser's
+// menu, nothing can be requested before: the sheet has no setup, and the drawing of the screen is printed.
 
 import { make, renderProse } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -13,11 +13,16 @@ import type { Diagnostic, SetupForm, SetupState } from '../protocol/protocol';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import printStyles from './print.css?inline';
 
-/** Groups whose assumed values are printed, too: the operator clamps the blank and moves the tool to the start. */
+/**
+ * Groups whose assumed values are printed, too, because the operator needs them: to clamp the blank and to move the
+ * tool to the start.
+ */
 const WITH_ASSUMED: readonly string[] = ['stock', 'start'];
 
-/** Most lines of a program, and most problems, that are printed. */
+/** Maximum number of lines of the program that are printed. */
 const MAX_LINES = 5_000;
+
+/** Maximum number of problems that are printed. */
 const MAX_PROBLEMS = 500;
 
 export const print: PanelKind = { styles: printStyles, make: (shell) => new Print(shell) };
@@ -26,7 +31,7 @@ class Print implements Panel {
   readonly #shell: Shell;
   readonly #sheet = make('div', { className: 'sheet' });
   readonly #picture = make('img', { className: 'sheet-drawing', alt: '' });
-  /** The answers that were requested before printing began. */
+  /** The answers requested before printing began; undefined if printing was started from the browser's menu. */
   #prepared: { readonly setup: SetupForm | undefined; readonly states: readonly SetupState[] } | undefined;
   readonly elements = { dialogs: [this.#sheet] };
 
@@ -57,7 +62,7 @@ class Print implements Panel {
     window.removeEventListener('afterprint', this.#onAfterPrint);
   }
 
-  /** Requests the contents besides the program, then prints. */
+  /** Requests the setup and the drawing, then prints. */
   async #print(): Promise<void> {
     this.#shell.flush();
     const [setup, drawing] = await Promise.all([
