@@ -31,6 +31,8 @@ pub use units::Units;
 
 use crate::control::codes;
 use crate::control::offsets::STANDARD_FRAMES;
+use crate::current::measuring;
+use crate::figures::measure::{self, Measured, Picked};
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Flat, Surface, VirtualMove, Way};
 use crate::machine::compare;
@@ -546,14 +548,17 @@ impl Comparison {
 
 impl Measure {
     fn new(measure: compare::Measure) -> Self {
-        let place = |at: Point| Place {
-            x: Diameter::from_radius(at.x).map(to_micrometres),
-            z: to_micrometres(at.z),
-            c: None,
-            y: None,
-        };
-        Self { length: to_micrometres(measure.length()), from: place(measure.from), to: place(measure.to) }
+        Self {
+            length: to_micrometres(measure.length()),
+            from: measured_place(measure.from),
+            to: measured_place(measure.to),
+        }
     }
+}
+
+/// A measured position in the section.
+fn measured_place(at: Point) -> Place {
+    Place { x: Diameter::from_radius(at.x).map(to_micrometres), z: to_micrometres(at.z), c: None, y: None }
 }
 
 /// Rounds to the third decimal, the precision of a measurement on a part.
@@ -632,6 +637,54 @@ impl Dimension {
             ratio,
             radius,
             lead,
+        }
+    }
+}
+
+/// What is measured at one or two picked places of the section.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Measurement {
+    /// The only picked place is an edge of the part.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub edge: Option<Dimension>,
+    /// The only picked place is a corner.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub corner: Option<Place>,
+    /// Between two places, or the ends of the only one: along Z, along X (on the radius) and the shortest, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub distances: Option<[f64; 3]>,
+    /// Between two edges, or from the spindle axis, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub angle: Option<f64>,
+}
+
+impl Measurement {
+    /// The result of a pick.
+    pub fn new(found: &measuring::Measurement) -> Self {
+        use measuring::Measurement as Found;
+        let measured = match found {
+            Found::One(_, Some(feature)) => {
+                return Self { edge: Some(Dimension::new(feature)), ..Self::default() };
+            }
+            Found::One(Picked { at, edge: None }, None) => {
+                let above = Point::new(at.x.abs(), at.z);
+                return Self { corner: Some(measured_place(above)), ..Self::default() };
+            }
+            Found::One(Picked { edge: Some([from, to]), .. }, None) => measure::lengths(*from, *to),
+            Found::Two(measured) => *measured,
+        };
+        match measured {
+            Measured::Angle(degrees) => Self { angle: Some(to_micrometres(degrees)), ..Self::default() },
+            Measured::Lengths { axial, radial, distance } => Self {
+                distances: Some([axial, radial, distance].map(to_micrometres)),
+                angle: Some(to_micrometres(radial.atan2(axial).to_degrees())),
+                ..Self::default()
+            },
         }
     }
 }

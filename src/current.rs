@@ -7,12 +7,15 @@
 //! ([`crate::machine::Simulation`]). Must not know of canvases or JavaScript.
 
 pub(crate) mod machined;
+pub mod measuring;
 pub mod per_plane;
 mod picked;
 
 use std::cell::OnceCell;
 use std::ops::Range;
 
+use crate::assist::Query;
+use crate::figures::{self, measure::Picked};
 use crate::geometry::Point;
 use crate::machine::compare::Comparison;
 use crate::machine::feature::{self, Feature};
@@ -24,8 +27,9 @@ use crate::motion::{MotionKind, Motions};
 use crate::parts::{Part, late};
 use crate::playback::clock::{Clock, Playhead};
 use crate::playback::holds::lines_that_move;
-use crate::run::replay::{Replay, VisitChoice, block_at};
+use crate::run::replay::{Found, Replay, VisitChoice, block_at};
 use crate::run::{Run, TextEdit};
+use crate::scene::annotation::Annotate;
 use crate::scene::camera::{Pixel, Size, XPlus};
 use crate::scene::path_index::PathIndex;
 use crate::scene::pick::pick;
@@ -34,7 +38,7 @@ use crate::scene::side::Side;
 use crate::scene::source::{Picture, Source, Stage};
 use crate::scene::steps::labels;
 use crate::scene::surface_moves::SurfaceMoves;
-use crate::scene::view::View;
+use crate::scene::view::{Frame, View};
 use crate::scene::{Place, Plane, Scene};
 use crate::setup::{Setup, Turret};
 use crate::source::LineIndex;
@@ -79,6 +83,10 @@ struct ViewState {
     turret: Option<Turret>,
     /// The part that is kept for comparison with later ones.
     kept: Option<Kept>,
+    /// The annotations that the user has chosen.
+    annotate: Annotate,
+    /// The places that the user has picked to measure: at most two.
+    picked: Vec<Picked>,
     /// The unit that the user has chosen; `None` for the unit of the program.
     unit: Option<Unit>,
     /// The symbols of millimetre and inch in the user's language.
@@ -115,6 +123,8 @@ impl Current {
             marked: Vec::new(),
             turret: None,
             kept: None,
+            annotate: Annotate::default(),
+            picked: Vec::new(),
             unit: None,
             unit_symbols: ["mm", "in"],
         };
@@ -186,6 +196,7 @@ impl Current {
     fn begin(&mut self, change: impl FnOnce(&mut Run, &mut OnceCell<LineIndex>)) {
         change(&mut self.run, &mut self.lines);
         self.derived = Derived::default();
+        self.view_state.picked.clear();
         // Selections are stroke numbers, which now belong to other strokes.
         for view in self.view_state.views.iter_mut() {
             *view = view.without_selection(None);
@@ -428,10 +439,47 @@ impl Current {
     /// Highlights the strokes of the block at an offset.
     pub fn set_cursor(&mut self, offset: Option<u32>) {
         self.view_state.cursor = offset;
+        if self.view_state.annotate != Annotate::Part {
+            self.section_mut().annotations.clear();
+        }
         // If nothing is measured yet, `measure` will highlight them.
         if self.derived.measured {
             self.highlight();
         }
+    }
+
+    /// Chooses the annotations; [`Self::annotate`] makes them.
+    pub fn set_annotate(&mut self, annotate: Annotate) {
+        self.view_state.annotate = annotate;
+        self.section_mut().annotations.clear();
+        let frame = match annotate {
+            Annotate::None | Annotate::Word => None,
+            Annotate::Cycle => Some(Frame::Cuts),
+            Annotate::Part => Some(Frame::Part),
+        };
+        self.look(Plane::Section, |view, scene| view.set_labels(scene, frame));
+    }
+
+    /// Makes the chosen annotations of the finished run. `asked`: the place of the cursor, and the execution of
+    /// its block.
+    pub fn annotate(&mut self, asked: Option<(u32, &Found)>) {
+        let annotations = match self.view_state.annotate {
+            Annotate::None => Vec::new(),
+            Annotate::Word => asked.map_or_else(Vec::new, |(byte, found)| {
+                let block = found.block(&self.run);
+                figures::at_cursor(&Query::new(&self.run, found, &block), byte, self.run.motions())
+            }),
+            Annotate::Cycle => {
+                let first = || figures::first_cycle(&self.run).filter(|_| self.view_state.cursor.is_none());
+                let byte = asked.map(|(byte, _)| byte).or_else(first);
+                byte.map_or_else(Vec::new, |byte| figures::of_cycle(&mut self.run, byte))
+            }
+            Annotate::Part => self.machined_part().map_or_else(Vec::new, |machined| {
+                let dimensions = |part| figures::of_part(part, machined.threads(), self.run.motions());
+                machined.part().map_or_else(Vec::new, dimensions)
+            }),
+        };
+        self.section_mut().annotations = annotations;
     }
 
     /// Marks the stroke under the pointer.

@@ -51,6 +51,7 @@ pub mod cycles;
 pub mod difference;
 pub mod expand;
 pub mod export;
+pub mod figures;
 pub mod findings;
 pub mod geometry;
 mod heap;

@@ -7,6 +7,7 @@ use std::sync::LazyLock;
 use gcode_playground::analyze;
 use gcode_playground::export::file::caption;
 use gcode_playground::export::{dxf, stl};
+use gcode_playground::figures;
 use gcode_playground::geometry::Point;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::machine::region::Region;
@@ -61,10 +62,11 @@ fn at_the_axis() -> Vec<(String, String, String)> {
     programs
 }
 
-/// An entity of a DXF file: its kind, its layer, and its numbers by group code.
+/// An entity of a DXF file: its kind, its layer, its text, and its numbers by group code.
 struct Entity {
     kind: String,
     layer: String,
+    text: String,
     numbers: HashMap<i32, f64>,
 }
 
@@ -111,8 +113,14 @@ fn read(text: &str) -> Vec<Entity> {
             (2, (0, "SECTION")) => section = value.to_owned(),
             (2, (0, "LAYER")) => layers.push(value.to_owned()),
             (0, _) if section == "ENTITIES" && !matches!(value, "ENDSEC" | "EOF") => {
-                entities.push(Entity { kind: value.into(), layer: String::new(), numbers: HashMap::new() });
+                entities.push(Entity {
+                    kind: value.into(),
+                    layer: String::new(),
+                    text: String::new(),
+                    numbers: HashMap::new(),
+                });
             }
+            (1, _) if section == "ENTITIES" => entities.last_mut().expect("entity").text = value.into(),
             (8, _) => entities.last_mut().expect("entity").layer = value.into(),
             (10..=59, _) if section == "ENTITIES" => {
                 entities.last_mut().expect("entity").numbers.insert(code, value.parse().expect("number"));
@@ -129,7 +137,7 @@ fn read(text: &str) -> Vec<Entity> {
 #[test]
 fn a_drawing_has_the_area_of_the_part_and_closes() {
     for (id, part) in PARTS.iter() {
-        let entities = read(&dxf::dxf(part).expect(id));
+        let entities = read(&dxf::dxf(part, &[]).expect(id));
         let profile: Vec<&Entity> = entities.iter().filter(|entity| entity.layer == "PROFILE").collect();
         assert_eq!(entities.iter().filter(|entity| entity.layer == "CENTER").count(), 1, "{id}");
         // Every end point belongs to two entities: the outline of a solid part runs along the axis.
@@ -183,10 +191,40 @@ fn a_drawing_has_the_area_of_the_part_and_closes() {
     }
 }
 
+/// Ø30 to Z-20 with C2 at its end, a cone to Ø40 at Z-40, Ø40 to Z-60, blank Ø50, 80 long.
+#[test]
+fn the_dimensions_of_a_drawing_have_a_layer() {
+    let program = "(STOCK D=50 LENGTH=80)\n(TOOL T0101 TYPE=TURNING NOSE=0)\nT0101 M03 S500\nG00 X22 Z2\n\
+        G01 X26 Z0 F0.2\nX30 Z-2\nZ-20\nX40 Z-40\nZ-60\nX52\nG00 Z5\nM30\n";
+    let analysis = analyze(program.as_bytes(), &Setup::default());
+    let part = SimulationResult::of(&analysis.motions, &analysis.setup).finished().expect("a part");
+    let entities =
+        read(&dxf::dxf(&part, &figures::of_part(&part, &[], &analysis.motions)).expect("a drawing"));
+    let is_dimension = |entity: &&Entity| entity.layer == "DIMENSIONS";
+    let mut texts: Vec<&str> =
+        entities.iter().filter(|entity| entity.kind == "TEXT").map(|entity| &entity.text[..]).collect();
+    texts.sort_unstable();
+    assert_eq!(texts, ["%%c30", "%%c40", "%%c50", "1:2", "20", "40", "60", "80", "C2"]);
+    let with_texts =
+        |kind: &str| entities.iter().filter(|entity| entity.kind == kind).all(|own| is_dimension(&own));
+    assert!(with_texts("TEXT") && with_texts("SOLID"));
+    // Ø30 is a line across the axis, with an arrow head at each end.
+    let is_across = |entity: &Entity| {
+        let [from, to] = entity.ends();
+        (from.x + to.x).abs() < 1e-6 && (from.x.abs() - 15.0).abs() < 1e-6 && (from.z - to.z).abs() < 1e-6
+    };
+    let lines = || entities.iter().filter(is_dimension).filter(|entity| entity.kind == "LINE");
+    assert!(lines().any(is_across));
+    let heads = entities.iter().filter(|entity| entity.kind == "SOLID");
+    let tips: Vec<Point> = heads.map(|head| head.at(10)).collect();
+    let across = lines().find(|line| is_across(line)).expect("a dimension line").ends();
+    assert!(across.iter().all(|end| tips.iter().any(|tip| tip.distance(*end) < 1e-6)), "{tips:?}");
+}
+
 #[test]
 fn a_drawing_has_nothing_below_the_spindle_axis() {
     for (id, part) in PARTS.iter() {
-        for arc in read(&dxf::dxf(part).expect(id)).iter().filter(|entity| entity.kind == "ARC") {
+        for arc in read(&dxf::dxf(part, &[]).expect(id)).iter().filter(|entity| entity.kind == "ARC") {
             let (from, to) = (arc.numbers[&50], arc.numbers[&51]);
             let downwards = (270.0 - from).rem_euclid(360.0) < (to - from).rem_euclid(360.0);
             let lowest = arc.at(10).x - arc.numbers[&40];
@@ -204,7 +242,7 @@ fn arcs_of_the_programs_are_true_arcs_again() {
         ("s003-g71", &[5.5, 7.5]),
     ] {
         let (_, part) = PARTS.iter().find(|(id, _)| id == program).expect("program");
-        let entities = read(&dxf::dxf(part).expect("part"));
+        let entities = read(&dxf::dxf(part, &[]).expect("part"));
         let arcs = entities.iter().filter(|entity| entity.kind == "ARC");
         let mut found: Vec<f64> = arcs.map(|entity| (entity.numbers[&40] * 1e4).round() / 1e4).collect();
         found.sort_by(f64::total_cmp);

@@ -37,6 +37,7 @@ mod difference;
 mod documentation;
 mod expand;
 mod export;
+mod figures;
 mod files;
 mod glossary;
 mod golden;

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand};
 
 use super::options::{
-    ControlName, Destination, Form, Input, LanguageName, Texts, TurretName, ViewName, With,
+    ControlName, Destination, FigureName, Form, Input, LanguageName, Texts, TurretName, ViewName, With,
 };
 use super::{check, clean, configuration, diff, embed};
 use crate::export::file::FileFormat;
@@ -135,6 +135,12 @@ pub(super) enum Command {
         /// Which side of the spindle the turret is on; X+ is drawn there. That of the setup when left out.
         #[arg(long, value_enum)]
         turret: Option<TurretName>,
+        /// Dimensions and letters over the half-section: `cycle` or `cycle:LINE`, `part`, or `word:LINE:COLUMN`.
+        #[arg(long, value_parser = FigureName::parse)]
+        figure: Option<FigureName>,
+        /// Draw for a printed page, in black and without rulers; the value is the width on paper in mm.
+        #[arg(long, value_parser = clap::value_parser!(u16).range(40..=400))]
+        print: Option<u16>,
         #[command(flatten)]
         to: Destination,
     },

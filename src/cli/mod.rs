@@ -36,25 +36,28 @@ use serde::Serialize;
 
 use crate::api;
 use crate::export::file::FileFormat;
+use crate::figures;
 use crate::limits;
 use crate::machine::SimulationResult;
 use crate::message::{Kind, Levels};
 use crate::run::{Analysis, Run};
 use crate::scene;
+use crate::scene::annotation::Annotation;
 use crate::scene::face::Face;
 use crate::scene::ruler::Scale;
 use crate::scene::side::Side;
 use crate::scene::surface_moves::SurfaceMoves;
-use crate::scene::svg::SvgOptions;
+use crate::scene::svg::{Contents, Passes, SvgOptions};
 use crate::scene::work::Work;
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, GSystem};
+use crate::source::LineIndex;
 
 use arguments::{Arguments, Command};
 use configuration::Configurations;
 use encoding::Encoding;
-use options::{Format, Input, TurretName, ViewName, With};
+use options::{FigureName, Format, Input, TurretName, ViewName, With};
 pub use status::Status;
 use system::{Stream, print_error_line};
 
@@ -223,9 +226,9 @@ fn run(command: Command) -> Result<Status, String> {
             Ok(Status::faulty_if(programs.iter().any(|program| has_errors(&program.analysis))))
         }
         Command::Diff(arguments) => diff::run(&arguments),
-        Command::Svg { input, view, turret, to } => {
+        Command::Svg { input, view, turret, figure, print, to } => {
             let program = program(&input)?;
-            let svg = svg(&program, view, turret)?;
+            let svg = svg(&program, view, turret, figure, print)?;
             save_apart(to.file(), svg.as_bytes())?;
             Ok(status(&program.analysis))
         }
@@ -244,7 +247,13 @@ fn why_no_part(program: &Program, simulation: &SimulationResult) -> String {
 }
 
 /// Renders a program as SVG.
-fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<String, String> {
+fn svg(
+    program: &Program,
+    view: ViewName,
+    turret: Option<TurretName>,
+    figure: Option<FigureName>,
+    print: Option<u16>,
+) -> Result<String, String> {
     let Analysis { motions, setup, .. } = &program.analysis;
     let turret = turret.map_or(setup.machine.turret, TurretName::turret);
     let simulation = program.analysis.simulate();
@@ -252,14 +261,24 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
         let scale = Scale::of(program.analysis.unit);
         scene::svg::svg(
             &moves.scene(work.as_ref()),
-            &SvgOptions { width: 720.0, scale, ..SvgOptions::default() },
+            &on_paper(print, SvgOptions { width: 720.0, scale, ..SvgOptions::default() }),
         )
     };
     match view {
         ViewName::Section => {
-            let options =
-                SvgOptions { x_plus: turret.into(), ..export::svg_options(program, Language::English) };
-            Ok(scene::svg::section(motions, Some(&simulation), &options))
+            let options = SvgOptions {
+                x_plus: turret.into(),
+                contents: if figure == Some(FigureName::Part) { Contents::Part } else { Contents::All },
+                passes: match figure {
+                    Some(FigureName::Cycle { .. }) => Passes::Figure,
+                    // A dimension is true only between passes in place.
+                    Some(FigureName::Word { .. }) => Passes::InPlace,
+                    Some(FigureName::Part) | None => Passes::Apart,
+                },
+                annotations: figure.map_or_else(Vec::new, |figure| annotations(program, &simulation, figure)),
+                ..export::svg_options(program, Language::English)
+            };
+            Ok(scene::svg::section(motions, Some(&simulation), &on_paper(print, options)))
         }
         ViewName::Face => {
             let face = Face::of(motions, &simulation)
@@ -271,6 +290,36 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
                 .ok_or_else(|| format!("{}: nothing is milled or drilled on the side", program.name))?;
             Ok(of_surface(side.moves(), side.work(&simulation, None)))
         }
+    }
+}
+
+/// The options of a picture for paper, if its width on paper is given, mm.
+fn on_paper(print: Option<u16>, options: SvgOptions) -> SvgOptions {
+    match print {
+        Some(width) => options.on_paper(f64::from(width)),
+        None => options,
+    }
+}
+
+/// The annotations of a figure.
+fn annotations(program: &Program, simulation: &SimulationResult, figure: FigureName) -> Vec<Annotation> {
+    let mut run = Run::new(program.text.clone(), program.analysis.setup.clone());
+    while !run.advance(usize::MAX) {}
+    let lines = LineIndex::new(run.text());
+    let start = |run: &Run, line: u32| lines.line(run.text(), (line - 1).min(lines.len() - 1));
+    match figure {
+        FigureName::Word { line, column } => {
+            let line = start(&run, line);
+            figures::of_word(&mut run, (line.start + column - 1).min(line.end))
+        }
+        FigureName::Cycle { line } => {
+            let byte = match line {
+                Some(line) => Some(start(&run, line).start),
+                None => figures::first_cycle(&run),
+            };
+            byte.map_or_else(Vec::new, |byte| figures::of_cycle(&mut run, byte))
+        }
+        FigureName::Part => figures::of_finished(simulation, run.motions()),
     }
 }
 

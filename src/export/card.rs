@@ -52,8 +52,8 @@ pub struct Card<'a> {
     pub codes: CodeList,
     /// The unit for lengths.
     pub unit: Unit,
-    /// The drawing for white paper, as SVG.
-    pub drawing: Option<&'a str>,
+    /// The drawings for white paper, as SVG.
+    pub drawings: &'a [String],
 }
 
 /// Allows no requests and no scripts.
@@ -93,7 +93,7 @@ impl Card<'_> {
         );
         let resolved = ResolvedSetup::new(self.motions, self.setup);
         self.metadata(&mut page, &resolved, language);
-        if let Some(drawing) = self.drawing {
+        for drawing in self.drawings {
             let _ = writeln!(page.html, "<figure>{drawing}</figure>");
         }
         self.tools(&mut page, &resolved, language);
@@ -622,7 +622,7 @@ mod tests {
         let analysis = analyze(text.as_bytes(), &Setup::default());
         let (motions, setup, codes) = (&analysis.motions, &analysis.setup, analysis.codes);
         let unit = analysis.unit;
-        Card { text: text.as_bytes(), motions, setup, codes, unit, drawing: None }.html(language)
+        Card { text: text.as_bytes(), motions, setup, codes, unit, drawings: &[] }.html(language)
     }
 
     const PROGRAM: &str = "%\nO0012 (PIN <A>)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\nN10 G50 S2000\n\

@@ -1,7 +1,8 @@
 //! The profile of the part for CAD programs: text DXF of AutoCAD release 12, in mm.
 //!
-//! In: the half-section. Out: lines and true arcs on the layer `PROFILE`, the spindle axis on the layer
-//! `CENTER`. X of the drawing is Z of the lathe, Y is the radius.
+//! In: the half-section and its dimensions. Out: lines and true arcs on the layer `PROFILE`, the spindle axis on
+//! the layer `CENTER`, lines, arrows and texts on the layer `DIMENSIONS`. X of the drawing is Z of the lathe, Y is
+//! the radius.
 
 use std::fmt::{Display, Write};
 
@@ -9,12 +10,22 @@ use super::profile::{self, Segment};
 use crate::geometry::bounds::{Bounds, join};
 use crate::geometry::{Arc, Point, Turn};
 use crate::machine::region::Region;
+use crate::scene::annotation::Annotation;
+use crate::scene::camera::{Camera, Pixel, Size, XPlus};
+use crate::scene::occupied::Occupied;
+use crate::scene::placement::{FONT_SIZE, place};
+use crate::units::Unit;
 
 /// Length of the centre line beyond the part at each end, as usual in drawings, mm.
 const CENTER_LINE_OVER: f64 = 3.0;
 
-/// The half-section above the spindle axis as a drawing; `None` if nothing is left of the blank.
-pub fn dxf(region: &Region) -> Option<String> {
+/// Width of the picture in which the dimensions are placed, CSS pixels; their size on paper follows from it.
+const WIDTH: f64 = 960.0;
+/// Space for dimensions around the part in that picture, as a share of its length.
+const ROOM: f64 = 0.15;
+
+/// The half-section above the spindle axis as a drawing, with dimensions; `None` if nothing is left of the blank.
+pub fn dxf(region: &Region, dimensions: &[Annotation]) -> Option<String> {
     let chains = profile::outlines(region);
     let bounds = chains.iter().flatten().fold(None, |bounds, segment| join(bounds, Some(around(segment))))?;
     let (left, right) = (bounds.min.z - CENTER_LINE_OVER, bounds.max.z + CENTER_LINE_OVER);
@@ -30,6 +41,7 @@ pub fn dxf(region: &Region) -> Option<String> {
         }
     }
     file.line("CENTER", Point::new(0.0, left), Point::new(0.0, right));
+    file.dimensions(region, bounds, dimensions);
     file.pair(0, "ENDSEC");
     file.pair(0, "EOF");
     Some(file.text)
@@ -84,10 +96,13 @@ impl File {
         self.line_type("CONTINUOUS", "Solid line", &[]);
         self.line_type("CENTER", "____ _ ____ _ ____", &[6.0, -1.0, 1.0, -1.0]);
         self.pair(0, "ENDTAB");
-        self.table("LAYER", 3);
-        for (name, colour, line_type) in
-            [("0", 7, "CONTINUOUS"), ("PROFILE", 7, "CONTINUOUS"), ("CENTER", 1, "CENTER")]
-        {
+        self.table("LAYER", 4);
+        for (name, colour, line_type) in [
+            ("0", 7, "CONTINUOUS"),
+            ("PROFILE", 7, "CONTINUOUS"),
+            ("CENTER", 1, "CENTER"),
+            ("DIMENSIONS", 3, "CONTINUOUS"),
+        ] {
             self.pair(0, "LAYER");
             self.pair(2, name);
             self.pair(70, 0);
@@ -118,6 +133,42 @@ impl File {
         }
     }
 
+    /// Writes dimensions as lines, filled arrow heads and texts, which every program reads in the same way.
+    fn dimensions(&mut self, region: &Region, part: Bounds, dimensions: &[Annotation]) {
+        if dimensions.is_empty() {
+            return;
+        }
+        let both = Bounds::around(Point::new(-part.max.x, part.min.z), part.max);
+        let bounds = both.grown(ROOM * both.length().max(both.height()));
+        let height = Camera::height_for(bounds, WIDTH, WIDTH / 4.0, WIDTH * 4.0);
+        let camera = Camera::fit_with(bounds, Size { width: WIDTH, height }, XPlus::Up);
+        let placed = place(dimensions, &Occupied::of_part(region, &camera), &camera, Unit::Millimetre);
+        let at = |pixel: Pixel| camera.to_world(pixel);
+        for ends in placed.lines.iter().flat_map(|line| line.windows(2)) {
+            self.line("DIMENSIONS", at(ends[0]), at(ends[1]));
+        }
+        for head in &placed.heads {
+            self.pair(0, "SOLID");
+            self.pair(8, "DIMENSIONS");
+            let [tip, left, right] = head.map(at);
+            for (code, corner) in [(10, tip), (11, left), (12, right), (13, right)] {
+                self.point(code, corner);
+            }
+        }
+        for label in &placed.labels {
+            let middle = at(label.area.middle());
+            self.pair(0, "TEXT");
+            self.pair(8, "DIMENSIONS");
+            self.point(10, middle);
+            self.number(40, 0.7 * FONT_SIZE / camera.scale());
+            self.pair(1, in_ascii(&label.text));
+            // Centred at the second point.
+            self.pair(72, 1);
+            self.point(11, middle);
+            self.pair(73, 2);
+        }
+    }
+
     fn line(&mut self, layer: &str, from: Point, to: Point) {
         self.pair(0, "LINE");
         self.pair(8, layer);
@@ -138,4 +189,9 @@ impl File {
         self.number(50, from.to_degrees().rem_euclid(360.0));
         self.number(51, to.to_degrees().rem_euclid(360.0));
     }
+}
+
+/// A label in ASCII, with the codes of DXF for diameter and degree.
+fn in_ascii(text: &str) -> String {
+    text.replace('Ø', "%%c").replace('°', "%%d").replace('−', "-").replace('×', "x")
 }

@@ -5,12 +5,14 @@
 
 use super::card::{self, Card};
 use super::{csv, dxf, stl};
+use crate::figures;
 use crate::machine::SimulationResult;
 use crate::machine::region::Region;
 use crate::motion::Motions;
+use crate::scene::annotation::Annotation;
 use crate::scene::camera::XPlus;
 use crate::scene::ruler::Scale;
-use crate::scene::svg::{Caption, Ground, Passes, SvgOptions, section};
+use crate::scene::svg::{Caption, Contents, Ground, Passes, SvgOptions, section};
 use crate::sentences::{Language, labels};
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
@@ -92,13 +94,13 @@ pub fn file(format: FileFormat, program: &impl Exportable, language: Language) -
         FileFormat::Svg => Some(drawing(program, &svg_options(program, language)).into_bytes()),
         FileFormat::Csv => Some(csv::csv(program.motions(), &program.setup().machine).into_bytes()),
         FileFormat::Card => Some(card(program, language).into_bytes()),
-        FileFormat::Dxf => dxf::dxf(&part(program)?).map(String::into_bytes),
+        FileFormat::Dxf => dxf::dxf(&part(program)?, &dimensions(program)).map(String::into_bytes),
         FileFormat::Stl => stl::stl(&part(program)?),
         FileFormat::Program => Some(program.expanded()),
     }
 }
 
-/// The setup sheet, with a drawing unless it would have too many strokes.
+/// The setup sheet, with a drawing unless it would have too many strokes, and the part with its dimensions.
 fn card(program: &impl Exportable, language: Language) -> String {
     let motions = program.motions();
     let options = SvgOptions {
@@ -106,17 +108,39 @@ fn card(program: &impl Exportable, language: Language) -> String {
         caption: Some(caption(String::new(), language)),
         ..svg_options(program, language)
     };
-    let drawing = (motions.len() <= card::MAX_DRAWN).then(|| drawing(program, &options));
+    let path = (motions.len() <= card::MAX_DRAWN).then(|| drawing(program, &options));
+    let drawings: Vec<String> = path.into_iter().chain(part_drawing(program)).collect();
     let card = Card {
         text: program.text(),
         motions,
         setup: program.setup(),
         codes: program.codes(),
         unit: program.unit(),
-        drawing: drawing.as_deref(),
+        drawings: &drawings,
     };
     card.html(language)
 }
+
+/// The finished part with its dimensions, for paper; `None` if there are none.
+fn part_drawing(program: &impl Exportable) -> Option<String> {
+    let options = SvgOptions {
+        annotations: dimensions(program),
+        contents: Contents::Part,
+        x_plus: program.x_plus(),
+        scale: Scale { unit: program.unit(), symbol: "" },
+        ..SvgOptions::default()
+    };
+    (!options.annotations.is_empty()).then(|| drawing(program, &options.on_paper(PART_WIDTH)))
+}
+
+/// The dimensions of the finished part.
+fn dimensions(program: &impl Exportable) -> Vec<Annotation> {
+    let simulation = program.simulation();
+    simulation.map_or_else(Vec::new, |simulation| figures::of_finished(simulation, program.motions()))
+}
+
+/// Width of the drawing of the part on paper, mm.
+const PART_WIDTH: f64 = 160.0;
 
 /// The drawing of the half-section.
 fn drawing(program: &impl Exportable, options: &SvgOptions) -> String {

@@ -22,6 +22,8 @@ const MIN_SWEEP: f64 = 0.05;
 const LARGEST_RADIUS: f64 = 5000.0;
 /// Most motions that are searched for a stated size: this runs at each movement of the pointer.
 const MAX_MOTIONS: usize = 100_000;
+/// Most corners of a part whose features are listed.
+const MAX_CORNERS: usize = 3000;
 /// Most edges that are examined on either side.
 const MAX_EDGES: usize = 600;
 
@@ -217,6 +219,52 @@ pub fn at(part: &Region, threads: &[Thread], place: Point, reach: f64) -> Option
     // The spindle axis is not an edge of the part.
     let [from, to] = feature.ends();
     (from.x.abs() > SAME || to.x.abs() > SAME).then_some(feature)
+}
+
+/// All features along the outlines of the part; the teeth of a thread are one feature. Empty for a part with
+/// more than [`MAX_CORNERS`] corners.
+pub fn all(part: &Region, threads: &[Thread]) -> Vec<Feature> {
+    let mut found = Vec::new();
+    if part.corners() > MAX_CORNERS {
+        return found;
+    }
+    for outline in part.outlines() {
+        let corners: Vec<Point> = outline.collect();
+        let count = corners.len();
+        let mut is_covered = vec![false; count];
+        for edge in 0..count {
+            if is_covered[edge] {
+                continue;
+            }
+            let ends = [corners[edge], corners[(edge + 1) % count]];
+            let own = threads.iter().find(|thread| ends.iter().all(|end| thread.has_tooth(*end)));
+            let feature = match own {
+                Some(thread) => {
+                    let place = Point::new(thread.depth, (ends[0].z + ends[1].z) / 2.0);
+                    thread_at(thread, &corners, place, thread.lead)
+                }
+                None => edge_feature(&corners, edge),
+            };
+            let belongs = |at: Point| match own {
+                Some(thread) => thread.has_tooth(at),
+                None => feature.iter().any(|feature| feature.corners.contains(&at)),
+            };
+            for (other, covered) in is_covered.iter_mut().enumerate() {
+                *covered |= belongs(corners[other]) && belongs(corners[(other + 1) % count]);
+            }
+            is_covered[edge] = true;
+            found.extend(feature);
+        }
+    }
+    found
+}
+
+impl Thread {
+    /// Whether a corner of the part is on a tooth of the thread.
+    fn has_tooth(&self, at: Point) -> bool {
+        let [low, high] = self.z;
+        (low - SAME..=high + SAME).contains(&at.z) && (at.x - self.depth).abs() < 1.5 * self.lead
+    }
 }
 
 /// The thread, if a point is on it or within `reach` mm of it.

@@ -5,6 +5,7 @@
 //! cached separately too, so that many of them can be moved immediately and redrawn a little later. Reads the
 //! scene, knows nothing of the page.
 
+mod annotations;
 pub(crate) mod layer;
 mod paths;
 mod pen;
@@ -171,6 +172,7 @@ impl Painter {
         self.edge(view)?;
         self.name_steps(view)?;
         self.name_places(view)?;
+        self.annotations(scene, view)?;
         if let Some(stroke) = view.hover.and_then(|motion| scene.stroke(motion)) {
             let paths = Paths::of([stroke].into_iter())?;
             self.pick_out(view, &paths, &view.palette.hover, || [stroke].into_iter())?;

@@ -5,6 +5,7 @@
 //! is copied: strokes are made from motions on demand. Must not know G-code words, and contains no human
 //! language except the names of the axes.
 
+pub mod annotation;
 pub mod camera;
 #[cfg(target_arch = "wasm32")]
 pub mod canvas;
@@ -13,9 +14,11 @@ pub mod face;
 pub mod hatch;
 pub mod ink;
 pub mod marks;
+pub mod occupied;
 pub mod palette;
 pub mod path_index;
 pub mod pick;
+pub mod placement;
 pub mod plot;
 pub mod ruler;
 mod seam;
@@ -387,6 +390,15 @@ impl<'a> Scene<'a> {
             at += 1;
             stroke
         })
+    }
+
+    /// The strokes that meet an area.
+    pub fn strokes_near(&self, area: Bounds) -> impl Iterator<Item = Stroke> + use<'a> {
+        let scene = *self;
+        let stretches =
+            self.path_index.stretches().iter().filter(move |stretch| stretch.bounds.overlaps(area));
+        let strokes = stretches.flat_map(move |stretch| scene.strokes_of(stretch.motions.clone()));
+        strokes.filter(move |stroke| stroke.shape.bounds().overlaps(area))
     }
 
     /// The chunk of a stretch, and the indices of its motions in the chunk.

@@ -40,12 +40,7 @@ pub fn pick(
     let reach = tolerance / camera.scale();
     let dot = DOT / camera.scale();
     let near = |reach: f64| {
-        let around = Bounds::of(pointer).grown(reach + dot);
-        let stretches = scene.path_index().stretches().iter().filter(move |s| s.bounds.overlaps(around));
-        stretches.flat_map(|stretch| scene.strokes_of(stretch.motions.clone())).filter_map(move |stroke| {
-            if !stroke.shape.bounds().overlaps(around) {
-                return None;
-            }
+        scene.strokes_near(Bounds::of(pointer).grown(reach + dot)).filter_map(move |stroke| {
             let at = nearest(&stroke.shape, pointer);
             let distance = match stroke.shape {
                 StrokeShape::Dot(_) => (at.distance(pointer) - dot).max(0.0),

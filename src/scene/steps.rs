@@ -1,4 +1,4 @@
-//! The labels of a single cycle's steps, as in manuals: 1R 2F 3F 4R, with R for rapid and F for feed.
+//! The labels of a single cycle's steps, as in manuals: ① ② ③ ④. The line shows rapid or feed.
 //!
 //! In: the motions of the selected block. Out: a label for each stroke of one pass of G90, G92 or G94. Must
 //! not know canvases.
@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use super::camera::{Camera, Pixel};
 use crate::geometry::Point;
-use crate::motion::{Cycle, CycleStep, Motion, MotionKind, Motions, Step};
+use crate::motion::{Cycle, CycleStep, Motion, Motions, Step};
 
 /// Distance from a stroke to the middle of its label, CSS pixels.
 const BESIDE: f64 = 13.0;
@@ -75,17 +75,16 @@ fn is_single(step: &CycleStep) -> bool {
     matches!(step.cycle, Cycle::Turning | Cycle::Threading | Cycle::Facing)
 }
 
-/// The label of a step: its number, and R or F for rapid or feed.
+/// The label of a step: its number. The letters R and F are words of the program.
 fn text(motion: &Motion) -> Option<&'static str> {
-    let [rapid, feed] = match motion.cycle?.step {
-        Step::Infeed => ["1R", "1F"],
-        Step::Cut => ["2R", "2F"],
-        Step::Retract => ["3R", "3F"],
-        Step::Return => ["4R", "4F"],
+    match motion.cycle?.step {
+        Step::Infeed => Some("①"),
+        Step::Cut => Some("②"),
+        Step::Retract => Some("③"),
+        Step::Return => Some("④"),
         // Leaving the thread belongs to the second step.
-        _ => return None,
-    };
-    Some(if motion.kind == MotionKind::Rapid { rapid } else { feed })
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -108,13 +107,13 @@ mod tests {
     #[test]
     fn a_pass_reads_as_in_the_manual() {
         let list = motions("G00 X62 Z2\nG90 X50 Z-30 F0.2\nX46\nG00 X100");
-        assert_eq!(said(&labels(&list, &[1..5], None)), ["1R", "2F", "3F", "4R"]);
+        assert_eq!(said(&labels(&list, &[1..5], None)), ["①", "②", "③", "④"]);
         let second = labels(&list, &[1..9], Some(7));
-        assert_eq!(said(&second), ["1R", "2F", "3F", "4R"]);
+        assert_eq!(said(&second), ["①", "②", "③", "④"]);
         assert!((second[1].to.x - 23.0).abs() < 1e-9);
         assert!(labels(&list, &[0..1], None).is_empty() && labels(&list, &[], None).is_empty());
         let thread = motions("G97 S500 M03\nG00 X32 Z5\nG92 X29 Z-30 F2");
-        assert_eq!(said(&labels(&thread, &[1..thread.len()], None)), ["1R", "2F", "3R", "4R"]);
+        assert_eq!(said(&labels(&thread, &[1..thread.len()], None)), ["①", "②", "③", "④"]);
     }
 
     #[test]

@@ -12,16 +12,20 @@ use crate::machine::compare::Side;
 use crate::machine::resolved_setup::Basis;
 use crate::motion::Motions;
 
+use super::annotation::{Annotation, Shape};
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size, XPlus};
 use super::face::Face;
 use super::hatch::hatch;
 use super::marks::{MAX_WITH_ARROWS, MIN_FOR_ARROW, arrow_heads};
 use super::palette::Palette;
 use super::path_index::PathIndex;
+use super::placement::{NEXT, detail_sizes};
 use super::ruler::{Scale, Tick, TickWeight, ticks};
+use super::view::Frame;
 use super::work::{Outlines, Work, closed, edges};
 use super::{Plane, Scene, Stroke, StrokeShape, StrokeStyle};
 
+mod annotations;
 mod apart;
 mod caption;
 mod compared;
@@ -50,6 +54,20 @@ pub struct SvgOptions {
     pub caption: Option<Caption>,
     /// How overlapping passes are drawn.
     pub passes: Passes,
+    /// Dimensions and letters over the strokes.
+    pub annotations: Vec<Annotation>,
+    /// What is drawn.
+    pub contents: Contents,
+}
+
+/// What a picture contains.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Contents {
+    /// Path, blank, part and chuck.
+    #[default]
+    All,
+    /// The finished part only, as in a workshop drawing.
+    Part,
 }
 
 /// How overlapping passes are drawn (passes of G76, and pecks along one line).
@@ -60,6 +78,8 @@ pub enum Passes {
     InPlace,
     /// Side by side, as in manuals.
     Apart,
+    /// Side by side, and small allowances of roughing enlarged: the figure of a cycle.
+    Figure,
 }
 
 /// The background of a picture.
@@ -70,6 +90,8 @@ pub enum Ground {
     AsSystem,
     /// White paper.
     Paper,
+    /// Black lines on white paper, without rulers and grid, for a printed page: cuts 0.5 mm wide, rapids 0.25 mm.
+    Print,
 }
 
 impl Default for SvgOptions {
@@ -83,27 +105,67 @@ impl Default for SvgOptions {
             legend: Vec::new(),
             caption: None,
             passes: Passes::default(),
+            annotations: Vec::new(),
+            contents: Contents::default(),
         }
     }
 }
+
+impl SvgOptions {
+    /// The options for a printed page, with a width in mm on paper: without rulers, at 96 CSS pixels per inch.
+    pub fn on_paper(self, width: f64) -> Self {
+        Self { width: width / 25.4 * 96.0 + LEFT_RULER, ground: Ground::Print, ..self }
+    }
+}
+
+/// Space around an annotated picture, CSS pixels.
+const ROOM_FOR_LABELS: f64 = 64.0;
+
+/// Most space for lengths above each other, CSS pixels.
+const MAX_STACKED: f64 = 240.0;
 
 /// Minimum and maximum height if it is chosen by the contents, CSS pixels.
 const HEIGHTS: [f64; 2] = [240.0, 720.0];
 
 /// The picture as an SVG file.
 pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
-    let bounds = scene.bounds();
-    let width = options.width.max(120.0);
-    let chosen = || Camera::height_for(bounds, width, HEIGHTS[0], HEIGHTS[1]);
-    let height = options.height.map_or_else(chosen, |height| height.max(80.0));
-    let camera = Camera::fit_with(bounds, Size { width, height }, scene.plane().x_plus(options.x_plus));
-    let apart = match (options.passes, scene.plane()) {
-        (Passes::Apart, Plane::Section) => Apart::of(scene, 1.0 / camera.scale()),
-        (Passes::InPlace, _) | (_, Plane::Face | Plane::Side) => Apart::default(),
+    let camera = camera(scene, options);
+    let apart = match scene.plane() {
+        Plane::Section => Apart::of(scene, options.passes, 1.0 / camera.scale()),
+        Plane::Face | Plane::Side => Apart::default(),
     };
     let mut drawing = Drawing { text: String::new(), camera, apart };
     drawing.all(scene, options);
     drawing.text
+}
+
+/// The camera of a picture: it shows all of the scene, with room for labels around it and for a detail below.
+pub fn camera(scene: &Scene, options: &SvgOptions) -> Camera {
+    let width = options.width.max(120.0);
+    let drawn = match options.contents {
+        Contents::All => scene.bounds(),
+        Contents::Part => scene.bounds_of(Frame::Part),
+    };
+    let room = if options.annotations.is_empty() { 0.0 } else { ROOM_FOR_LABELS };
+    let bounds = drawn.grown(room * drawn.length() / (width - 2.0 * room - LEFT_RULER).max(1.0));
+    let x_plus = scene.plane().x_plus(options.x_plus);
+    // Lengths are above each other, away from the axis; a detail is below.
+    let lengths = options.annotations.iter().filter(|own| matches!(own.shape, Shape::Axial(_))).count();
+    let stacked = (lengths as f64 * NEXT).min(MAX_STACKED);
+    let least = if options.ground == Ground::Print { 0.3 * width } else { HEIGHTS[0] };
+    let chosen = || Camera::height_for(bounds, width, least.min(HEIGHTS[0]), HEIGHTS[1]);
+    let drawn_height = options.height.unwrap_or_else(chosen).max(80.0);
+    let mut camera = Camera::fit_with(bounds, Size { width, height: drawn_height }, x_plus);
+    let below = options.annotations.iter().filter_map(|own| match &own.shape {
+        Shape::Detail(detail) => detail_sizes(detail, camera.scale()).next(),
+        _ => None,
+    });
+    let below: f64 = below.map(|(_, [_, height])| height).sum();
+    let height = drawn_height + stacked + below;
+    let shift = if camera.upward() > 0.0 { stacked } else { 0.0 };
+    camera.resize(Size { width, height });
+    camera.pan(0.0, shift - (height - drawn_height) / 2.0);
+    camera
 }
 
 /// The half-section of a whole program as an SVG file; without a simulation, the workpiece is omitted.
@@ -126,43 +188,64 @@ struct Drawing {
 impl Drawing {
     fn all(&mut self, scene: &Scene, options: &SvgOptions) {
         let Size { width, height } = self.camera.size();
+        let is_print = options.ground == Ground::Print;
+        // Without rulers their space is cut off.
+        let [left, bottom] = if is_print { [LEFT_RULER, height - BOTTOM_RULER] } else { [0.0, height] };
         // The height of the caption is only known once it is written.
         let under = options.caption.as_ref().map(|caption| {
-            let high = self.caption(scene, caption, height);
+            let high = self.caption(scene, caption, options.contents, [left, bottom]);
             (high, std::mem::take(&mut self.text))
         });
-        let whole = height + under.as_ref().map_or(0.0, |(high, _)| *high);
-        let [w, h] = [width, whole].map(number);
+        let whole = bottom + under.as_ref().map_or(0.0, |(high, _)| *high);
+        let [x, w, h] = [left, width - left, whole].map(number);
         self.line(&format!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" class="lathe" role="img" viewBox="0 0 {w} {h}" width="{w}" height="{h}">"#
+            r#"<svg xmlns="http://www.w3.org/2000/svg" class="lathe" role="img" viewBox="{x} 0 {w} {h}" width="{w}" height="{h}">"#
         ));
         if let Some(caption) = options.caption.as_ref().filter(|caption| !caption.title.is_empty()) {
             self.line(&format!("<title>{}</title>", caption::escaped(&caption.title)));
         }
         self.line("<style>");
         self.line(SHAPES);
-        self.line(&colours(&Palette::light()));
+        let colours = |palette: Palette| match options.annotations.is_empty() {
+            true => colours(&palette),
+            false => format!("{}\n{}", colours(&palette), annotations::colours(&palette)),
+        };
+        if !options.annotations.is_empty() {
+            self.line(annotations::SHAPES);
+        }
+        self.line(&colours(Palette::light()));
         if options.ground == Ground::AsSystem {
-            self.line(&format!("@media (prefers-color-scheme: dark) {{\n{}\n}}", colours(&Palette::dark())));
+            self.line(&format!("@media (prefers-color-scheme: dark) {{\n{}\n}}", colours(Palette::dark())));
+        }
+        if is_print {
+            self.line(PRINT);
         }
         self.line("</style>");
-        self.line(&format!(r#"<rect class="background" width="{w}" height="{h}"/>"#));
+        let from = if is_print { format!(r#" x="{x}""#) } else { String::new() };
+        self.line(&format!(r#"<rect class="background"{from} width="{w}" height="{h}"/>"#));
         let (x, w, h) = (number(LEFT_RULER), number(width - LEFT_RULER), number(height - BOTTOM_RULER));
         self.line(&format!(r#"<svg x="{x}" width="{w}" height="{h}" viewBox="{x} 0 {w} {h}">"#));
         let [along, across] = scene.axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
-        self.grid(&along, &across);
-        self.work(scene);
+        if !is_print {
+            self.grid(&along, &across);
+        }
+        self.work(scene, options.contents);
         self.compared(scene);
         self.center_lines(scene.plane());
-        self.programmed(scene);
-        for style in StrokeStyle::ALL {
-            self.strokes(scene, style);
+        if options.contents == Contents::All {
+            self.programmed(scene);
+            for style in StrokeStyle::ALL {
+                self.strokes(scene, style);
+            }
+            self.arrows(scene);
+            self.dangers(scene);
         }
-        self.arrows(scene);
-        self.dangers(scene);
+        self.annotations(scene, options);
         self.legend(&options.legend);
         self.line("</svg>");
-        self.rulers(scene.axes().map(|axis| axis.name(options.scale.symbol)), &along, &across);
+        if !is_print {
+            self.rulers(scene.axes().map(|axis| axis.name(options.scale.symbol)), &along, &across);
+        }
         if let Some((_, rows)) = under {
             self.text.push_str(&rows);
         }
@@ -182,7 +265,7 @@ impl Drawing {
     }
 
     /// Draws the blank, the part, and the obstacles around them, above and below the axis.
-    fn work(&mut self, scene: &Scene) {
+    fn work(&mut self, scene: &Scene, contents: Contents) {
         let Some(work) = scene.work() else { return };
         let guessed = match work.basis {
             Basis::Given => "",
@@ -223,10 +306,13 @@ impl Drawing {
                 ("part-edge".to_owned(), lines(&cut)),
                 ("milled".to_owned(), lines(&work.milled_lines())),
             ];
-            for (class, d) in shapes.iter().filter(|(_, d)| !d.is_empty()) {
+            let is_drawn = |class: &str| {
+                contents == Contents::All || !(class.starts_with("blank") || class == "obstacle")
+            };
+            for (class, d) in shapes.iter().filter(|(class, d)| !d.is_empty() && is_drawn(class)) {
                 self.line(&format!(r#"<path class="{class}" d="{d}"/>"#));
             }
-            for (class, d) in edges.iter().filter(|(_, d)| !d.is_empty()) {
+            for (class, d) in edges.iter().filter(|(class, d)| !d.is_empty() && is_drawn(class)) {
                 self.line(&format!(r#"<path class="{class}" d="{d}"/>"#));
             }
         }
@@ -411,6 +497,21 @@ const SHAPES: &str = "\
 .lathe text.z { text-anchor: middle }
 .lathe text.name { font-weight: 600 }
 .lathe text.name.z { text-anchor: end }";
+
+/// Style rules of a printed page; they follow [`SHAPES`] and the palette.
+const PRINT: &str = "\
+.lathe .blank, .lathe .part { fill: #fff }
+.lathe .obstacle { fill: #000; fill-opacity: 0.15; stroke: #000 }
+.lathe .center, .lathe .programmed, .lathe .blank-edge, .lathe .blank-frame { stroke: #000; stroke-width: 0.7 }
+.lathe .part-edge, .lathe .part-frame { stroke: #000; stroke-width: 1.3 }
+.lathe .hatch, .lathe .milled { stroke: #000; stroke-width: 0.5; opacity: 0.6 }
+.lathe g .feed, .lathe g .thread, .lathe g .dwell, .lathe g .uncertain { stroke: #000 }
+.lathe g path.feed, .lathe g path.thread { stroke-width: 1.9 }
+.lathe g .rapid { stroke: #000 }
+.lathe g path.rapid { stroke-width: 0.95 }
+.lathe text, .lathe .annotations text, .lathe .annotations .head { fill: #000 }
+.lathe .annotations .dimension { stroke: #000 }
+.lathe .arrow.feed, .lathe .arrow.thread { fill: #000 }";
 
 /// The colours of a palette as style rules.
 fn colours(palette: &Palette) -> String {

@@ -9,6 +9,7 @@ use crate::geometry::{Point, within};
 use crate::playback::clock::Playhead;
 
 use super::Scene;
+use super::annotation::Annotation;
 use super::camera::{Camera, Pixel, Size, XPlus};
 use super::palette::Palette;
 use super::ruler::Scale;
@@ -16,6 +17,9 @@ use super::steps::StepLabel;
 
 /// Maximum length of a side of a picture, in CSS pixels and in device pixels: no canvas is larger.
 const LONGEST_SIDE: f64 = 16_384.0;
+
+/// Space for labels around a fitted picture, CSS pixels, at most; less in a small picture.
+const ROOM_FOR_LABELS: f64 = 56.0;
 
 /// Minimum distance of the tool from the edge of the picture, CSS pixels.
 const IN_VIEW: f64 = 40.0;
@@ -58,6 +62,8 @@ pub struct View {
     camera: Camera,
     framing: Framing,
     frame: Frame,
+    /// The extent of a picture with labels around it, if the user has chosen none; `None` without labels.
+    labelled: Option<Frame>,
     pixel_ratio: f64,
     /// The colours.
     pub palette: Palette,
@@ -69,6 +75,10 @@ pub struct View {
     pub marks: Vec<Mark>,
     /// The labels of the steps of one of its passes.
     pub steps: Vec<StepLabel>,
+    /// Dimensions and letters over the strokes; not shown while there is a tool.
+    pub annotations: Vec<Annotation>,
+    /// The annotations of a measurement, shown instead; `None` while nothing is measured.
+    pub measured: Option<Vec<Annotation>>,
     /// The edge of the part under the pointer.
     pub edge: Vec<Point>,
     /// The motion under the pointer.
@@ -85,12 +95,15 @@ impl View {
             camera: Camera::fit_with(scene.bounds(), size, scene.plane().x_plus(XPlus::Up)),
             framing: Framing::Fitted,
             frame: Frame::default(),
+            labelled: None,
             pixel_ratio: 1.0,
             palette: Palette::default(),
             scale: Scale::default(),
             highlight: Vec::new(),
             marks: Vec::new(),
             steps: Vec::new(),
+            annotations: Vec::new(),
+            measured: None,
             edge: Vec::new(),
             hover: None,
             playhead: None,
@@ -133,6 +146,8 @@ impl View {
             highlight: Vec::new(),
             marks: Vec::new(),
             steps: Vec::new(),
+            annotations: Vec::new(),
+            measured: None,
             edge: Vec::new(),
             hover: None,
             playhead,
@@ -142,9 +157,22 @@ impl View {
 
     /// Fits the camera to the scene.
     pub fn fit(&mut self, scene: &Scene) {
-        let bounds = scene.bounds_of(self.frame);
-        self.camera = Camera::fit_with(bounds, self.camera.size(), self.camera.x_plus());
+        let frame = if self.frame == Frame::Usual { self.labelled.unwrap_or_default() } else { self.frame };
+        let bounds = scene.bounds_of(frame);
+        let size = self.camera.size();
+        let most = ROOM_FOR_LABELS.min(size.width.min(size.height) / 8.0);
+        let room = self.labelled.map_or(0.0, |_| most);
+        let inside = Size { width: size.width - 2.0 * room, height: size.height - 2.0 * room };
+        self.camera = Camera::fit_with(bounds, inside, self.camera.x_plus());
+        self.camera.resize(size);
         self.framing = Framing::Fitted;
+    }
+
+    /// Gives a fitted picture room for labels around it, and the extent if the user has chosen none; `None`: no
+    /// labels.
+    pub fn set_labels(&mut self, scene: &Scene, frame: Option<Frame>) {
+        self.labelled = frame;
+        self.follow(scene);
     }
 
     /// Fits the camera unless the user has moved it. Call this when a run has ended.
@@ -209,6 +237,26 @@ mod tests {
     use crate::motion::Motions;
     use crate::scene::Scene;
     use crate::scene::path_index::PathIndex;
+
+    #[test]
+    fn labels_have_room_around_a_fitted_picture() {
+        let (motions, path_index) = (Motions::default(), PathIndex::new());
+        let scene = Scene::new(&motions, &path_index, None);
+        let bounds = scene.bounds();
+        let mut view = View::new(&scene, Size { width: 800.0, height: 500.0 });
+        let extent = |view: &View| {
+            let [low, high] = [bounds.min, bounds.max].map(|at| view.camera().to_screen(at));
+            [high.x - low.x, low.y - high.y]
+        };
+        let middle = |view: &View| view.camera().to_screen(Point::new(10.0, -20.0));
+        let (before, center) = (extent(&view), middle(&view));
+        view.set_labels(&scene, Some(Frame::Usual));
+        let after = extent(&view);
+        assert!((before[0] - after[0] - 112.0).abs() < 1e-6, "{before:?} {after:?}");
+        assert!(middle(&view).distance(center) < 1e-6);
+        view.set_labels(&scene, None);
+        assert_eq!(extent(&view), before);
+    }
 
     #[test]
     fn a_picture_that_was_moved_follows_the_tool_and_a_fitted_one_stays() {

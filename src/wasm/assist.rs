@@ -11,6 +11,7 @@ use crate::assist::Query;
 use crate::parts::late;
 use crate::run::RunId;
 use crate::run::replay::{Found, Replay, VisitChoice};
+use crate::scene::annotation::Annotate;
 use crate::source::Span;
 
 /// The current question about a block.
@@ -48,6 +49,22 @@ impl Playground {
     #[wasm_bindgen(js_name = wordHelp, unchecked_return_type = "WordHelp | undefined")]
     pub fn word_help(&self) -> Result<JsValue, JsValue> {
         word(self)
+    }
+
+    /// Chooses the annotations of the section: `none`, `word`, `cycle` or `part`; `word` for others.
+    #[wasm_bindgen(js_name = setAnnotate)]
+    pub fn set_annotate(&mut self, name: &str) {
+        self.current.set_annotate(match name {
+            "none" => Annotate::None,
+            "cycle" => Annotate::Cycle,
+            "part" => Annotate::Part,
+            _ => Annotate::Word,
+        });
+    }
+
+    /// Draws the chosen annotations, of the requested place if it `isAtCursor`.
+    pub fn annotate(&mut self, is_at_cursor: bool) {
+        annotate(self, is_at_cursor);
     }
 
     /// A description of the requested block; `undefined` if there is no answer yet.
@@ -135,6 +152,13 @@ late! {
         let notes: Vec<Span> = playground.current.run().notes().spans().collect();
         let (byte, motions) = (playground.question.byte, playground.current.motions());
         with_answer(playground, |reader, asked| to_js(&reader.word(asked, byte, &notes, motions)))
+    }
+
+    fn annotate(playground: &mut Playground, is_at_cursor: bool) {
+        let Playground { current, question, .. } = playground;
+        let run = current.run().id();
+        let found = question.found.as_ref().filter(|(of, ..)| is_at_cursor && *of == run);
+        current.annotate(found.map(|(.., found)| (question.byte, found)));
     }
 
     fn completion(playground: &Playground, asked_for: bool) -> Result<JsValue, JsValue> {

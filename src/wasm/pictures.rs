@@ -198,6 +198,19 @@ impl Playground {
         self.current.leave_edge();
     }
 
+    /// Begins or ends measuring.
+    #[wasm_bindgen(js_name = setMeasuring)]
+    pub fn set_measuring(&mut self, measures: bool) {
+        self.current.set_measuring(measures);
+    }
+
+    /// Picks the corner or edge at a position in the section, CSS pixels, as the first or second place to
+    /// measure. `undefined` if there is none.
+    #[wasm_bindgen(js_name = measureAt, unchecked_return_type = "Measurement | undefined")]
+    pub fn measure_at(&mut self, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        measure_at(self, Pixel::new(x, y))
+    }
+
     /// Keeps the part of this program, if there is one, for comparison with the parts of later texts.
     pub fn keep(&mut self) {
         self.current.keep();
@@ -239,6 +252,11 @@ late! {
     fn dimension(playground: &mut Playground, at: Pixel) -> Result<JsValue, JsValue> {
         let edge = playground.current.mark_edge(at, REACH);
         edge.map_or(Ok(JsValue::UNDEFINED), |feature| to_js(&api::Dimension::new(&feature)))
+    }
+
+    fn measure_at(playground: &mut Playground, at: Pixel) -> Result<JsValue, JsValue> {
+        let found = playground.current.measure_at(at, REACH);
+        found.map_or(Ok(JsValue::UNDEFINED), |found| to_js(&api::Measurement::new(&found)))
     }
 
     fn comparison(found: &Comparison) -> Result<JsValue, JsValue> {

@@ -91,9 +91,9 @@ test('in a large window there are no tabs', async ({ page }) => {
   await expect(status(page)).toContainText('1 motion');
 });
 
-test('the controls of the playback row, and the readout over the drawing, do not overlap and are not cut off', { tag: '@one-engine' }, async ({
-  page,
-}) => {
+test('the controls of the playback row, and the readout over the drawing, do not overlap and are not cut off', {
+  tag: '@one-engine',
+}, async ({ page }) => {
   await open(page);
   await page.getByRole('button', { name: 'Next motion' }).click();
   for (const language of ['en', 'zh', 'ru']) {

@@ -454,7 +454,9 @@ async function openListInHiddenTab(page: BasicPage): Promise<void> {
   await expect(list(page).getByRole('status')).not.toHaveText('');
 }
 
-test('a change of the same program in another tab is reported, and shown on request', { tag: '@night' }, async ({ page }) => {
+test('a change of the same program in another tab is reported, and shown on request', { tag: '@night' }, async ({
+  page,
+}) => {
   await open(page);
   await type(page, SHAFT);
   await kept(page);
@@ -534,7 +536,9 @@ const setRefusal = (page: Page, why: string): Promise<void> =>
     Reflect.set(window, 'refuses', why);
   }, why);
 
-test('a full storage is reported, the text stays, and is stored once there is room', { tag: '@night' }, async ({ page }) => {
+test('a full storage is reported, the text stays, and is stored once there is room', { tag: '@night' }, async ({
+  page,
+}) => {
   await page.addInitScript(refusing);
   await open(page);
   await setRefusal(page, 'QuotaExceededError');

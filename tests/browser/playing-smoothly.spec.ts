@@ -1,6 +1,8 @@
 // Cost of playing: frames, paints of the worker and long tasks, which only Chromium reports.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
-import { open, openFile, status } from './page';
+import { open, openFile, settled, status } from './page';
 
 const slider = (page: ChromiumPage) => page.getByRole('slider', { name: 'Position along the path' });
 const share = async (page: ChromiumPage): Promise<number> => Number(await slider(page).inputValue());
@@ -110,3 +112,58 @@ test(
     expect(playing.shown / seconds).toBeGreaterThan(10);
   },
 );
+
+/** Time of the main thread for each frame within `ms`: callbacks, styles, layout and paint; sorted, ms. */
+function frameTimes(page: ChromiumPage, ms: number): Promise<number[]> {
+  return page.evaluate(async (ms) => {
+    const times: number[] = [];
+    const { port1, port2 } = new MessageChannel();
+    let begun = 0;
+    // The message arrives once the frame is rendered.
+    port1.onmessage = () => times.push(performance.now() - begun);
+    const end = performance.now() + ms;
+    await new Promise<void>((done) => {
+      const frame = (): void => {
+        begun = performance.now();
+        port2.postMessage(undefined);
+        if (begun < end) requestAnimationFrame(frame);
+        else done();
+      };
+      requestAnimationFrame(frame);
+    });
+    return times.sort((a, b) => a - b);
+  }, ms);
+}
+
+test('playing and dragging a shaft with the dimensions of its part leave most of each frame free', {
+  tag: '@night',
+}, async ({ page }) => {
+  await open(page);
+  await openFile(page, 'shaft.nc', readFileSync(join(__dirname, '..', 'speed', 'shaft.nc')));
+  await page.getByRole('button', { name: 'Dimensions', exact: true }).click();
+  await page.getByRole('menuitemradio', { name: 'Dimensions of the part' }).click();
+  await settled(page);
+  const box = (await page.locator('canvas').first().boundingBox())!;
+  const drag = async (): Promise<void> => {
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    for (let step = 0; step < 120; step++) {
+      const turn = step / 20;
+      await page.mouse.move(box.x + box.width / 2 + 80 * Math.sin(turn), box.y + box.height / 2 + 80 * Math.cos(turn));
+    }
+    await page.mouse.up();
+  };
+  const report = (name: string, times: readonly number[]): void => {
+    const at = (share: number): number => times[Math.floor(share * (times.length - 1))] ?? 0;
+    console.log(
+      `${name}: ${times.length} frames, median ${at(0.5).toFixed(1)} ms, 95 % within ${at(0.95).toFixed(1)} ms`,
+    );
+    expect(times.length).toBeGreaterThan(60);
+    expect(at(0.5)).toBeLessThan(8);
+    expect(at(0.95)).toBeLessThan(16);
+  };
+  const [dragging] = await Promise.all([frameTimes(page, 3000), drag()]);
+  report('dragging with dimensions', dragging);
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  report('playing with dimensions', await frameTimes(page, 3000));
+});

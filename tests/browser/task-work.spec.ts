@@ -202,7 +202,9 @@ test('deleted work is not restored, except by undo', async ({ page }) => {
   await expect(page.getByText('Bring it back')).toHaveCount(0);
 });
 
-test('the link opens the newer work of another tab, and continues with the same program', { tag: '@night' }, async ({ page }) => {
+test('the link opens the newer work of another tab, and continues with the same program', { tag: '@night' }, async ({
+  page,
+}) => {
   await open(page, first.link);
   const done = await work(page, first, 'G90 X32 Z-20 F0.2');
   await kept(page);

@@ -47,6 +47,8 @@ pub fn arguments(words: &[String], folder: &Path) -> Vec<String> {
         "NAME" => vec!["gsk".to_owned()],
         "L" => vec!["ru".to_owned()],
         "N" => vec!["1".to_owned()],
+        "FIGURE" => vec!["cycle".to_owned()],
+        "MM" => vec!["160".to_owned()],
         out if out.starts_with("OUT") => vec![path(out)],
         word => vec![word.to_owned()],
     };

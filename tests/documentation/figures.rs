@@ -39,6 +39,12 @@ const fn figure(document: &'static str, words: &'static str, held: Held) -> Figu
 /// The list.
 pub const FIGURES: &[Figure] = &[
     figure(
+        "www/docs/command-line.md",
+        "cuts 0.5 mm and rapids 0.25 mm wide",
+        // At 96 CSS pixels per inch: 1.9 and 0.95 pixels.
+        Held::Stated("src/scene/svg.rs", "path.rapid { stroke-width: 0.95 }"),
+    ),
+    figure(
         "www/docs/setup.md",
         "The last two digits of a T word select an offset: □ selects offset □",
         Held::By(

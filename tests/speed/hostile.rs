@@ -91,7 +91,7 @@ fn quick_enough() -> io::Result<()> {
             setup: &analysis.setup,
             codes: analysis.codes,
             unit: analysis.unit,
-            drawing: None,
+            drawings: &[],
         };
         card.html(Language::English).len()
     })?;

@@ -68,16 +68,7 @@ pub fn plain(lines: usize) -> String {
 /// A shaft of some sixty lines as written in a class: facing, G71 and G70, a groove by G75, a bore by G74, a
 /// thread by G76.
 pub fn shaft() -> String {
-    String::from(
-        "%\nO0301 (SHAFT)\nG21 G40 G97 G99\nG28 U0 W0\nT0101 (ROUGHING)\nG50 S2500\nG96 S180 M3\nG0 X64.0 Z5.0 M8\n\
-         G94 X-1.6 Z1.0 F0.2\nZ0.5\nZ0\nG0 X62.0 Z2.0\nG71 U2.0 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.25\nN10 G0 X14.0\n\
-         G1 Z0 F0.12\nX20.0 Z-3.0\nZ-25.0\nX24.0\nG3 X28.0 Z-27.0 R2.0\nG1 Z-40.0\nX36.0 Z-50.0\nZ-65.0\n\
-         G2 X44.0 Z-69.0 R4.0\nG1 X50.0\nX54.0 Z-71.0\nZ-85.0\nN20 X62.0\nG0 X150.0 Z100.0 M9\nT0202 (FINISHING)\n\
-         G96 S220 M3\nG0 X62.0 Z2.0 M8\nG70 P10 Q20\nG0 X150.0 Z100.0 M9\nT0303 (GROOVE)\nG97 S600 M3\nG0 X40.0 Z-56.0 M8\n\
-         G75 R0.5\nG75 X30.0 Z-60.0 P1500 Q2500 F0.06\nG0 X150.0\nZ100.0 M9\nT0404 (BORE)\nS900 M3\nG0 X0 Z3.0 M8\n\
-         G74 R1.0\nG74 Z-35.0 Q6000 F0.1\nG0 Z100.0 M9\nX150.0\nT0505 (THREAD)\nS700 M3\nG0 X24.0 Z4.0 M8\n\
-         G76 P020060 Q100 R0.05\nG76 X17.4 Z-22.0 P1300 Q350 F2.0\nG0 X150.0 Z100.0 M9\nT0100\nM5\nG28 U0 W0\nM30\n%\n",
-    )
+    String::from(include_str!("shaft.nc"))
 }
 
 /// `count` G90 cycles; each is one modal line.

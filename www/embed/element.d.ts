@@ -67,6 +67,8 @@ export class GcodePlayground extends HTMLElement {
   lines: string | null;
   fit: string | null;
   turret: string | null;
+  /** The dimensions and letters in the picture: `none`, `word`, `cycle` or `part`. */
+  annotate: string | null;
   caption: string | null;
   /** The page that "Open in the playground" leads to; empty: no link. */
   playground: string | null;
@@ -161,6 +163,7 @@ export type GcodePlaygroundProps = Partial<
     | 'lines'
     | 'fit'
     | 'turret'
+    | 'annotate'
     | 'caption'
     | 'playground'
     | 'rules'

@@ -4,7 +4,7 @@
 //! `tests/manuals.rs` compares the two.
 
 /// Attributes with their allowed values; empty if any text is allowed.
-const KNOWN: [(&str, &[&str]); 21] = [
+const KNOWN: [(&str, &[&str]); 22] = [
     ("src", &[]),
     ("control", &["fanuc", "gsk", "forum"]),
     ("setup", &[]),
@@ -20,6 +20,7 @@ const KNOWN: [(&str, &[&str]); 21] = [
     ("lines", &[]),
     ("fit", &["part", "path"]),
     ("turret", &["front", "rear"]),
+    ("annotate", &["none", "word", "cycle", "part"]),
     ("caption", &[]),
     ("loading", &["lazy", "eager", "click"]),
     ("playground", &[]),

@@ -1,12 +1,15 @@
-//! Draws overlapping passes apart, as manuals do: the passes of G76, and pecks along one line.
+//! Draws overlapping passes apart, as manuals do: the passes of G76, pecks along one line, and in the figure of a
+//! cycle roughing and finishing.
 //!
-//! In: the motions of a scene, the size of a pixel. Out: the displaced strokes. The path of the tool stays
-//! connected: the strokes before and after a displaced pass lead to it.
+//! In: the motions of a scene, the size of a pixel. Out: the displaced strokes and points. The path of the tool
+//! stays connected: the strokes before and after a displaced pass lead to it.
 
 use std::ops::Range;
 
 use super::super::{Scene, Stroke, StrokeShape};
-use crate::geometry::Point;
+use super::Passes;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::{Arc, Point, within};
 use crate::motion::{Cycle, CycleFamily, Motions, Step};
 
 /// Distance between two passes, and between two pecks, CSS pixels, if there is room.
@@ -16,19 +19,32 @@ const PECK_GAP: f64 = 5.0;
 /// Maximum displacement of the passes of a cycle, CSS pixels.
 const ROOM: f64 = 36.0;
 
-/// Displacement of the start and the end of each motion, mm; empty if there is none.
+/// Least distance of roughing from finishing in the figure of a cycle, CSS pixels.
+const LEAST_ALLOWANCE: f64 = 8.0;
+
+/// A point this near to a stroke is on it, mm.
+const ON_STROKE: f64 = 1e-4;
+
+/// Displacements of motions.
 #[derive(Default)]
-pub(super) struct Apart(Vec<[Point; 2]>);
+pub(super) struct Apart {
+    /// Displacement of the start and the end of each motion, mm; empty if there is none.
+    places: Vec<[Point; 2]>,
+    /// Whether passes are drawn side by side.
+    pub(super) has_passes: bool,
+    /// Whether an allowance is drawn larger than it is.
+    pub(super) has_allowance: bool,
+}
 
 const IN_PLACE: Point = Point { x: 0.0, z: 0.0 };
 
 impl Apart {
     /// The displacements in a scene, with `pixel` mm per CSS pixel.
-    pub(super) fn of(scene: &Scene, pixel: f64) -> Self {
+    pub(super) fn of(scene: &Scene, passes: Passes, pixel: f64) -> Self {
         let motions = scene.motions;
-        let mut places = Vec::new();
+        let mut apart = Self::default();
         let mut first = 0;
-        while first < scene.len() {
+        while passes != Passes::InPlace && first < scene.len() {
             let own = motions.get(first).cycle.map(|step| step.cycle);
             let line = motions.line(first);
             let mut end = first + 1;
@@ -40,26 +56,24 @@ impl Apart {
                 end += 1;
             }
             match own.map(|cycle| (cycle, cycle.family())) {
-                Some((Cycle::MultiThreading, _)) => thread(motions, first..end, pixel, &mut places),
+                Some((Cycle::MultiThreading, _)) => apart.thread(motions, first..end, pixel),
                 Some((_, CycleFamily::Pecking | CycleFamily::FaceHole | CycleFamily::SideHole)) => {
-                    pecks(motions, first..end, pixel, &mut places);
+                    apart.pecks(motions, first..end, pixel);
+                }
+                Some((Cycle::RoughTurning | Cycle::RoughFacing, _)) if passes == Passes::Figure => {
+                    apart.allowance(motions, first..end, pixel);
                 }
                 _ => {}
             }
             first = end;
         }
-        Self(places)
-    }
-
-    /// Whether any pass is displaced.
-    pub(super) fn is_any(&self) -> bool {
-        !self.0.is_empty()
+        apart
     }
 
     /// The displaced shape of a stroke.
     pub(super) fn shape(&self, stroke: &Stroke) -> StrokeShape {
         let shape = stroke.drawn_shape();
-        let Some([start, end]) = self.0.get(stroke.motion) else { return shape };
+        let Some([start, end]) = self.places.get(stroke.motion) else { return shape };
         match shape {
             StrokeShape::Line { from, to } => {
                 // Rapids may be drawn in the opposite direction.
@@ -68,70 +82,137 @@ impl Apart {
                 StrokeShape::Line { from: from.moved(*first), to: to.moved(*last) }
             }
             StrokeShape::Dot(at) => StrokeShape::Dot(at.moved(*start)),
-            StrokeShape::Arc(_) | StrokeShape::Virtual(_) => shape,
+            StrokeShape::Arc(arc) => StrokeShape::Arc(Arc {
+                start: arc.start.moved(*start),
+                end: arc.end.moved(*start),
+                center: arc.center.moved(*start),
+                ..arc
+            }),
+            StrokeShape::Virtual(_) => shape,
         }
     }
-}
 
-/// Sets the displacement of a motion.
-fn put(places: &mut Vec<[Point; 2]>, motion: usize, start: Point, end: Point) {
-    if places.len() <= motion {
-        places.resize(motion + 1, [IN_PLACE; 2]);
-    }
-    places[motion] = [start, end];
-}
-
-/// The last pass of a thread is in place; the earlier passes are displaced away from the part.
-fn thread(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
-    let home = motions.get_on_workpiece(call.start).from.x;
-    let mut last = 0;
-    for motion in call.clone() {
-        last = motions.get(motion).cycle.map_or(0, |step| step.pass).max(last);
-    }
-    let gap = GAP.min(ROOM / f64::from(last.max(1))) * pixel;
-    for index in call {
-        let motion = motions.get_on_workpiece(index);
-        let Some(step) = motion.cycle.filter(|step| step.pass > 0 && step.pass < last) else { continue };
-        let deep = if step.step == Step::Infeed { motion.to.x } else { motion.from.x };
-        let out = Point { x: (home - deep).signum() * gap * f64::from(last - step.pass), z: 0.0 };
-        match step.step {
-            Step::Infeed => put(places, index, IN_PLACE, out),
-            Step::Cut | Step::PullOut => put(places, index, out, out),
-            Step::Retract => put(places, index, out, IN_PLACE),
-            _ => {}
+    /// Where a point of the section is drawn: displaced if it is on displaced strokes only.
+    pub(super) fn point(&self, scene: &Scene, at: Point) -> Point {
+        if self.places.is_empty() {
+            return at;
         }
-    }
-}
-
-/// Pecks on one line are drawn side by side; the move to the next line ends in place.
-fn pecks(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
-    let along = |motion: usize| {
-        let step = motions.get(motion).cycle.map(|step| step.step);
-        !matches!(step, Some(Step::Relief | Step::Stepover | Step::Return | Step::Approach) | None)
-    };
-    let mut first = call.start;
-    while first < call.end {
-        let mut end = first;
-        while end < call.end && along(end) {
-            end += 1;
-        }
-        // A cut and the way back are at most two lines, which do not overlap with others.
-        let column = end - first;
-        if column > 2 {
-            let gap = PECK_GAP.min(ROOM / column as f64) * pixel;
-            let motion = motions.get_on_workpiece(first);
-            let is_along_z = motion.from.x == motion.to.x;
-            let at = |count: usize| {
-                let by = gap * count as f64;
-                if is_along_z { Point { x: by, z: 0.0 } } else { Point { x: 0.0, z: by } }
-            };
-            for index in 0..column {
-                put(places, first + index, at(index), at(index + 1));
+        let mut found = None;
+        for stroke in scene.strokes_near(Bounds::of(at).grown(ON_STROKE)) {
+            let Some(share) = share_of(&stroke.shape, at) else { continue };
+            let [start, end] = self.places.get(stroke.motion).copied().unwrap_or([IN_PLACE; 2]);
+            let by = Point::new(start.x + share * (end.x - start.x), start.z + share * (end.z - start.z));
+            if by == IN_PLACE {
+                return at;
             }
-            if end < call.end {
-                put(places, end, at(column), IN_PLACE);
+            found.get_or_insert(by);
+        }
+        found.map_or(at, |by| at.moved(by))
+    }
+
+    /// Sets the displacement of a motion.
+    fn put(&mut self, motion: usize, start: Point, end: Point) {
+        if self.places.len() <= motion {
+            self.places.resize(motion + 1, [IN_PLACE; 2]);
+        }
+        self.places[motion] = [start, end];
+    }
+
+    /// The last pass of a thread is in place; the earlier passes are displaced away from the part.
+    fn thread(&mut self, motions: &Motions, call: Range<usize>, pixel: f64) {
+        let home = motions.get_on_workpiece(call.start).from.x;
+        let mut last = 0;
+        for motion in call.clone() {
+            last = motions.get(motion).cycle.map_or(0, |step| step.pass).max(last);
+        }
+        let gap = GAP.min(ROOM / f64::from(last.max(1))) * pixel;
+        self.has_passes |= last > 1;
+        for index in call {
+            let motion = motions.get_on_workpiece(index);
+            let Some(step) = motion.cycle.filter(|step| step.pass > 0 && step.pass < last) else { continue };
+            let deep = if step.step == Step::Infeed { motion.to.x } else { motion.from.x };
+            let out = Point { x: (home - deep).signum() * gap * f64::from(last - step.pass), z: 0.0 };
+            match step.step {
+                Step::Infeed => self.put(index, IN_PLACE, out),
+                Step::Cut | Step::PullOut => self.put(index, out, out),
+                Step::Retract => self.put(index, out, IN_PLACE),
+                _ => {}
             }
         }
-        first = end + 1;
+    }
+
+    /// Pecks on one line are drawn side by side; the move to the next line ends in place.
+    fn pecks(&mut self, motions: &Motions, call: Range<usize>, pixel: f64) {
+        let along = |motion: usize| {
+            let step = motions.get(motion).cycle.map(|step| step.step);
+            !matches!(step, Some(Step::Relief | Step::Stepover | Step::Return | Step::Approach) | None)
+        };
+        let mut first = call.start;
+        while first < call.end {
+            let mut end = first;
+            while end < call.end && along(end) {
+                end += 1;
+            }
+            // A cut and the way back are at most two lines, which do not overlap with others.
+            let column = end - first;
+            if column > 2 {
+                self.has_passes = true;
+                let gap = PECK_GAP.min(ROOM / column as f64) * pixel;
+                let motion = motions.get_on_workpiece(first);
+                let is_along_z = motion.from.x == motion.to.x;
+                let at = |count: usize| {
+                    let by = gap * count as f64;
+                    if is_along_z { Point { x: by, z: 0.0 } } else { Point { x: 0.0, z: by } }
+                };
+                for index in 0..column {
+                    self.put(first + index, at(index), at(index + 1));
+                }
+                if end < call.end {
+                    self.put(end, at(column), IN_PLACE);
+                }
+            }
+            first = end + 1;
+        }
+    }
+
+    /// Roughing is displaced away from the contour, until its distance from finishing can be seen.
+    fn allowance(&mut self, motions: &Motions, call: Range<usize>, pixel: f64) {
+        let first = motions.get_on_workpiece(call.start);
+        if first.cycle.is_none_or(|step| step.step != Step::Approach) {
+            return;
+        }
+        let (x, z) = (first.to.x - first.from.x, first.to.z - first.from.z);
+        let factor = LEAST_ALLOWANCE * pixel / x.abs().max(z.abs());
+        if !factor.is_finite() || factor <= 1.0 {
+            return;
+        }
+        self.has_allowance = true;
+        let by = Point { x: (factor - 1.0) * x, z: (factor - 1.0) * z };
+        for index in call.clone() {
+            let start = if index == call.start { IN_PLACE } else { by };
+            let end = if index + 1 == call.end { IN_PLACE } else { by };
+            self.put(index, start, end);
+        }
+    }
+}
+
+/// The share of a stroke at a point on it, from 0 to 1; `None` if the point is not on it.
+fn share_of(shape: &StrokeShape, at: Point) -> Option<f64> {
+    match shape {
+        StrokeShape::Line { from, to } => {
+            let (x, z) = (to.x - from.x, to.z - from.z);
+            let square = x * x + z * z;
+            let share = if square > 0.0 { ((at.x - from.x) * x + (at.z - from.z) * z) / square } else { 0.0 };
+            let share = within(share, 0.0, 1.0);
+            let place = Point::new(from.x + share * x, from.z + share * z);
+            (place.distance(at) < ON_STROKE).then_some(share)
+        }
+        StrokeShape::Dot(place) => (place.distance(at) < ON_STROKE).then_some(0.0),
+        // Displaced as a whole.
+        StrokeShape::Arc(arc) => {
+            let off = (arc.center.distance(at) - arc.radius()).abs();
+            (off < ON_STROKE).then_some(0.0)
+        }
+        StrokeShape::Virtual(_) => None,
     }
 }

@@ -3,7 +3,7 @@
 //! In: a scene and the words. Out: rows of text with samples, as wide as the drawing. Knows no language.
 
 use super::super::{Scene, StrokeStyle};
-use super::{Drawing, number};
+use super::{Contents, Drawing, number};
 use crate::source::is_unprintable;
 
 /// Distance between rows, CSS pixels.
@@ -27,8 +27,8 @@ pub struct Caption {
 /// The samples of a legend, each as the text before and after the coordinates of its left middle.
 ///
 /// Rapids, cuts, threads; the blank where material was removed, the part, chuck and tailstock, a collision,
-/// milling under G12.1; a note that passes are displaced.
-pub const LEGEND: [[&str; 2]; 9] = [
+/// milling under G12.1; notes that passes are displaced, and that an allowance is enlarged.
+pub const LEGEND: [[&str; 2]; 10] = [
     [r#"<g><path class="rapid" d="M"#, r#"h24"/></g>"#],
     [r#"<g><path class="feed" d="M"#, r#"h24"/></g>"#],
     [r#"<g><path class="thread" d="M"#, r#"h24"/></g>"#],
@@ -38,18 +38,25 @@ pub const LEGEND: [[&str; 2]; 9] = [
     [r#"<path class="danger" d="M"#, r#"m4 0a8 8 0 1 0 16 0a8 8 0 1 0 -16 0m4 -4l8 8m0 -8l-8 8"/>"#],
     [r#"<path class="milled" d="M"#, r#"m0 -6h24v12h-24zl24 12m0 -12l-24 12"/>"#],
     ["", ""],
+    ["", ""],
 ];
 
 impl Drawing {
-    /// Writes the rows from `top` down; returns their height.
-    pub(super) fn caption(&mut self, scene: &Scene, caption: &Caption, top: f64) -> f64 {
-        let right = self.camera.size().width - MARGIN;
-        let (mut x, mut y) = (MARGIN, top + LEADING - 4.0);
+    /// Writes the rows from `top` down and from `left` on; returns their height.
+    pub(super) fn caption(
+        &mut self,
+        scene: &Scene,
+        caption: &Caption,
+        contents: Contents,
+        [left, top]: [f64; 2],
+    ) -> f64 {
+        let [left, right] = [left + MARGIN, self.camera.size().width - MARGIN];
+        let (mut x, mut y) = (left, top + LEADING - 4.0);
         if !caption.title.is_empty() {
             self.key(["name", &escaped(&caption.title)], x, y);
             y += LEADING;
         }
-        let there = self.there(scene);
+        let there = self.there(scene, contents);
         for (index, text) in caption.legend.into_iter().enumerate() {
             if !there[index] {
                 continue;
@@ -57,8 +64,8 @@ impl Drawing {
             let [begin, end] = LEGEND[index];
             let sample = if begin.is_empty() { 0.0 } else { SAMPLE };
             let wide = sample + wide(text);
-            if x > MARGIN && x + wide > right {
-                (x, y) = (MARGIN, y + LEADING);
+            if x > left && x + wide > right {
+                (x, y) = (left, y + LEADING);
             }
             if !begin.is_empty() {
                 let line = [begin, &number(x), " ", &number(y - 4.0), end].concat();
@@ -78,8 +85,11 @@ impl Drawing {
     }
 
     /// Which entries occur in the drawing.
-    fn there(&self, scene: &Scene) -> [bool; LEGEND.len()] {
+    fn there(&self, scene: &Scene, contents: Contents) -> [bool; LEGEND.len()] {
         let mut there = [false; LEGEND.len()];
+        if contents == Contents::Part {
+            return there;
+        }
         for stroke in scene.strokes() {
             match stroke.style {
                 StrokeStyle::Rapid => there[0] = true,
@@ -95,7 +105,7 @@ impl Drawing {
             there[6] = !work.dangers.is_empty();
             there[7] = work.milled.is_some();
         }
-        there[8] = self.apart.is_any();
+        (there[8], there[9]) = (self.apart.has_passes, self.apart.has_allowance);
         there
     }
 }

@@ -53,6 +53,7 @@ const ICONS = {
   previous: [{ d: 'M16 4v12l-8-6zM4 4h2.5v12H4z' }],
   whole: [{ d: 'M5 5l10 10M15 5L5 15', width: 1.8 }],
   fit: [{ d: 'M3.5 7.5v-4h4M12.5 3.5h4v4M16.5 12.5v4h-4M7.5 16.5h-4v-4', width: 1.7 }],
+  dimensions: [{ d: 'M3.5 5v10M16.5 5v10M4.5 10h11M7.5 7l-3 3 3 3M12.5 7l3 3-3 3', width: 1.5 }],
   plus: [{ d: 'M10 4v12M4 10h12', width: 1.8 }],
   minus: [{ d: 'M4 10h12', width: 1.8 }],
   gallery: [{ d: 'M3.5 3.5h5.5v5.5H3.5zM11 3.5h5.5v5.5H11zM3.5 11h5.5v5.5H3.5zM11 11h5.5v5.5H11z', width: 1.6 }],

@@ -22,6 +22,7 @@ import { rewrite } from './rewrite';
 import { setup } from './setup';
 import { solid } from './solid';
 import { statusLine } from './status-line';
+import { dimensions } from './dimensions';
 import { divider } from './divider';
 import { presentation } from './presentation';
 import { print } from './print';
@@ -52,6 +53,7 @@ export const FURTHER: readonly PanelKind[] = [
   keys,
   setup,
   views,
+  dimensions,
   playback,
   statusLine,
   totals,

@@ -73,8 +73,9 @@ class Header implements Panel {
 
   get commands(): readonly UserCommand[] {
     const texts = WORDS[this.#shell.language];
+    // An item that opens another menu is not an action.
     const items = MENUS.flatMap((name) => this.#menus[name].choices).filter(
-      (item) => item !== this.#redoItem && item !== this.#helpItem,
+      (item) => item !== this.#redoItem && item.getAttribute('aria-haspopup') !== 'menu',
     );
     return [
       { name: texts.undo, keys: 'Ctrl Z', run: () => this.#travel('undo') },

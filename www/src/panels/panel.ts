@@ -11,6 +11,7 @@ import type { Span } from '../editor/text-store';
 import type { Program } from '../editor/program';
 import type { ProgramFile, ProgramText } from '../editor/program-text';
 import type {
+  AnnotateChoice,
   Answer,
   Command,
   Diagnostic,
@@ -194,6 +195,8 @@ export interface Services {
   exported(format: ExportFormat): Promise<ExportResult | undefined>;
   /** Converts a place of a picture, as in the question `locate`, to a point in the window. */
   locate(picture: PictureName, ...place: readonly [number, number]): Promise<ClientPoint>;
+  /** A click in the section, CSS pixels. Returns whether it measures, and has no other effect. */
+  measureAt(x: number, y: number): boolean;
   /** Shows only these pictures. */
   showOnly(pictures: readonly PictureName[]): void;
   /** Keeps the current part, to compare later ones with it. */
@@ -234,6 +237,8 @@ export interface Shell {
   /** Whether the program is read-only. */
   readonly readonly: boolean;
   /** All problems of the newest report, also those that are held back while the user types. */
+  /** The dimensions and letters that the host page has chosen. */
+  readonly annotate: AnnotateChoice;
   readonly diagnostics: readonly Diagnostic[];
   /** Whether the program text is shown, not only its results. */
   readonly showsProgram: boolean;

@@ -232,6 +232,7 @@ class Pictures implements Panel {
         this.#showHovered(picture, undefined);
       },
       onClick: async (x, y, keepFocus) => {
+        if (picture === 'section' && shell.hasService('measureAt') && shell.service('measureAt')(x, y)) return;
         const chosen = await shell.ask('pick', { picture, x, y });
         if (chosen !== undefined) shell.chooseStroke(chosen, keepFocus ? 'keep-focus' : 'focus');
       },

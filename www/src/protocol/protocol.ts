@@ -12,6 +12,7 @@ import type {
   Diagnostic,
   Dimension,
   DrilledHole,
+  Measurement,
   FileFormat,
   ProfileKind,
   Profiles,
@@ -52,6 +53,7 @@ export type {
   Diagnostic,
   Dimension,
   DrilledHole,
+  Measurement,
   Palette,
   PictureName,
   Readout,
@@ -87,6 +89,10 @@ export interface Size {
   readonly height: number;
   readonly pixelRatio: number;
 }
+
+/** Which dimensions and letters the section shows. */
+export const ANNOTATE_CHOICES = ['none', 'word', 'cycle', 'part'] as const;
+export type AnnotateChoice = (typeof ANNOTATE_CHOICES)[number];
 
 /** The side of the spindle on which the turret is drawn. */
 type TurretSide = 'front' | 'rear';
@@ -136,6 +142,10 @@ export type Command =
   | { readonly kind: 'frame'; readonly frame: 'cuts' | 'part' | 'path' | undefined }
   /** Undefined: the side in the setup. */
   | { readonly kind: 'turret'; readonly side: TurretSide | undefined }
+  /** Which dimensions and letters the section shows; undefined: the default, the dimension of the word at the cursor. */
+  | { readonly kind: 'annotate'; readonly choice: AnnotateChoice | undefined }
+  /** Begins or ends measuring in the section. */
+  | { readonly kind: 'measuring'; readonly isOn: boolean }
   /** Stores the part, so that later ones are drawn over it. */
   | { readonly kind: 'keep-part' }
   | { readonly kind: 'end-comparison' }
@@ -230,6 +240,8 @@ export interface Questions {
   pick: { args: { readonly picture: PictureName; readonly x: number; readonly y: number }; answer: Stroke | undefined };
   /** The edge of the part in the section at a position. */
   dimension: { args: { readonly x: number; readonly y: number }; answer: Dimension | undefined };
+  /** Picks the corner or edge of the section at a position, as the first or second place to measure. */
+  measure: { args: { readonly x: number; readonly y: number }; answer: Measurement | undefined };
   /** Plays for a number of seconds, or until the playback pauses. */
   play: {
     args: {
@@ -366,6 +378,7 @@ export const RUN_DEPENDENT = {
   uses: true,
   outline: true,
   dimension: true,
+  measure: true,
   'read-setup': true,
   'profiles-of-run': true,
   difference: true,

@@ -5,7 +5,7 @@
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { Command } from '../protocol/protocol';
+import { ANNOTATE_CHOICES, type AnnotateChoice, type Command } from '../protocol/protocol';
 import { FRAMES, oneOf, parseLines, SIDES, type Lines } from './author';
 import type { Layout } from './layout';
 
@@ -14,6 +14,7 @@ interface AuthorHost {
   readonly lines: string | null;
   readonly fit: string | null;
   readonly turret: string | null;
+  readonly annotate: string | null;
   readonly caption: string | null;
 }
 
@@ -42,14 +43,18 @@ export class AuthorSettings {
 
   /** Sends the settings to a new worker, which has the defaults. */
   sendInitial(send: (command: Command) => void): void {
-    const { highlight, fit, turret } = this.#host;
-    if (highlight !== null || fit !== null || turret !== null) this.#send(send);
+    const { highlight, fit, turret, annotate } = this.#host;
+    if ([highlight, fit, turret, annotate].some((attribute) => attribute !== null)) this.#send(send);
   }
 
   sendFrame(send: (command: Command) => void): void {
     // A presentation shows the cuts as large as possible.
     const presented = this.#layout.frame.dataset['presenting'] === undefined ? undefined : 'cuts';
     send({ kind: 'frame', frame: oneOf(FRAMES, this.#host.fit) ?? presented });
+  }
+
+  get annotate(): AnnotateChoice {
+    return oneOf(ANNOTATE_CHOICES, this.#host.annotate) ?? 'word';
   }
 
   showCaption(language: Language): void {
@@ -68,6 +73,7 @@ export class AuthorSettings {
     });
     this.sendFrame(send);
     send({ kind: 'turret', side: oneOf(SIDES, turret) });
+    send({ kind: 'annotate', choice: oneOf(ANNOTATE_CHOICES, this.#host.annotate) });
   }
 }
 

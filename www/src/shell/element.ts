@@ -100,7 +100,15 @@ export interface OpenedProgram {
 /** A change of these attributes renders the element again. */
 const RERENDERING_ATTRIBUTES: readonly string[] = ['view', 'controls', 'readonly'];
 /** The author's attributes for lines and picture. */
-const AUTHOR_ATTRIBUTES: readonly string[] = ['highlight', 'lines', 'fit', 'turret', 'caption', 'playground'];
+const AUTHOR_ATTRIBUTES: readonly string[] = [
+  'highlight',
+  'lines',
+  'fit',
+  'turret',
+  'annotate',
+  'caption',
+  'playground',
+];
 
 /** These need no update: they are read when the pointer or the focus reaches a link. */
 const LINK_ATTRIBUTES: readonly string[] = ['rules', 'docs', 'learn'];
@@ -125,6 +133,7 @@ export class GcodePlayground extends Base {
     'lines',
     'fit',
     'turret',
+    'annotate',
     'caption',
     'loading',
     'playground',
@@ -386,6 +395,15 @@ export class GcodePlayground extends Base {
 
   set turret(side: string | null) {
     this.#setOrRemove('turret', side);
+  }
+
+  /** The dimensions and letters in the picture: `none`, `word`, `cycle` or `part`. */
+  get annotate(): string | null {
+    return this.getAttribute('annotate');
+  }
+
+  set annotate(choice: string | null) {
+    this.#setOrRemove('annotate', choice);
   }
 
   /** The line under the element, which is also its accessible name. */

@@ -8,7 +8,16 @@ import type { Program } from '../editor/program';
 import type { ProgramFile, ProgramText } from '../editor/program-text';
 import type { Span } from '../editor/text-store';
 import type { NewestQuestion, Region, Services, Shell } from '../panels/panel';
-import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Stroke } from '../protocol/protocol';
+import type {
+  AnnotateChoice,
+  Answer,
+  Command,
+  Diagnostic,
+  QuestionKind,
+  Questions,
+  Readout,
+  Stroke,
+} from '../protocol/protocol';
 import type { AuthorSettings } from './author-settings';
 import { strokeInFile } from './file-offsets';
 import type { HostContext } from './host-context';
@@ -53,6 +62,10 @@ export class ShellForPanels implements Shell {
 
   get language(): Language {
     return this.#parts.language();
+  }
+
+  get annotate(): AnnotateChoice {
+    return this.#parts.author.annotate;
   }
 
   get diagnostics(): readonly Diagnostic[] {

@@ -35,6 +35,7 @@ interface Host {
   readonly step: string | null;
   readonly fit: string | null;
   readonly turret: string | null;
+  readonly annotate: string | null;
   readonly caption: string | null;
   readonly playground: string | null;
   readonly value: string;

@@ -18,6 +18,8 @@ const MAX_COLOURED_LENGTH = 200_000;
 export interface AnswerRow<K extends QuestionKind> {
   /** A picture changes: redraw immediately, or when the run is complete. */
   readonly draws?: 'now' | 'when-complete';
+  /** Whether the answer also makes annotations of the picture. */
+  readonly annotates?: (args: Questions[K]['args']) => boolean;
   /** Wait until all material is removed. */
   readonly waitsFor?: 'part';
   /** The parts of the interpreter that are needed besides the first one. */
@@ -31,6 +33,7 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   tokens: { needs: ['late'], answer: (core, { firstLine, endLine }) => core.tokens(firstLine, endLine) },
   pick: { needs: TEXT_PARTS, answer: (core, { picture, x, y }) => core.pick(picture, x, y) },
   dimension: { needs: TEXT_PARTS, draws: 'when-complete', answer: (core, { x, y }) => core.dimension(x, y) },
+  measure: { needs: TEXT_PARTS, draws: 'now', answer: (core, { x, y }) => core.measureAt(x, y) },
   play: { needs: TEXT_PARTS, draws: 'now', answer: toolAnswers.play },
   seek: { needs: TEXT_PARTS, draws: 'now', answer: toolAnswers.seek },
   'seek-block': { needs: TEXT_PARTS, draws: 'now', answer: toolAnswers['seek-block'] },
@@ -49,7 +52,7 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   rewritings: { needs: TEXT_PARTS, answer: (core, { from, to }) => core.rewritings(from, to) },
   codes: { needs: TEXT_PARTS, answer: (core) => core.codes() },
   // Before the run has ended, nothing is known about the remaining blocks.
-  help: { needs: TEXT_PARTS, waitsFor: 'part', answer: answerHelp },
+  help: { needs: TEXT_PARTS, waitsFor: 'part', annotates: ({ by }) => by === 'cursor', answer: answerHelp },
   uses: { needs: TEXT_PARTS, answer: (core, { offset }) => core.usesAt(offset) },
   outline: { needs: TEXT_PARTS, answer: (core) => core.outline() },
   // Wait, since a file of an incomplete program would be mistaken for all of it.

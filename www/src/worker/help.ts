@@ -37,6 +37,7 @@ export function answerHelp(core: Playground, request: HelpRequest): Help | undef
 
   function answer(): Help {
     pending.current = undefined;
+    if (request.by === 'cursor') core.annotate(true);
     switch (request.about) {
       case 'word':
         return { request, word: core.wordHelp() };

@@ -96,6 +96,8 @@ export class OldPicture {
       case 'language':
       case 'unit':
       case 'turret':
+      case 'annotate':
+      case 'measuring':
       case 'mark':
       case 'frame':
       case 'keep-part':

@@ -83,7 +83,7 @@ interface CommandRow<K extends Command['kind']> {
   execute(session: Session, command: Extract<Command, { readonly kind: K }>): void;
 }
 
-const PICTURE_QUESTIONS: ReadonlySet<QuestionKind> = new Set<QuestionKind>(['pick', 'dimension']);
+const PICTURE_QUESTIONS: ReadonlySet<QuestionKind> = new Set<QuestionKind>(['pick', 'dimension', 'measure']);
 
 /** Whether a message contains a setup, which the part `early` parses. */
 export function mayNeedSetup(message: Command | Question): boolean {
@@ -236,6 +236,17 @@ export class Session implements Waiter {
         session.#emitViews();
       },
     },
+    annotate: {
+      draws: 'when-complete',
+      execute(session, { choice }) {
+        session.#core.setAnnotate(choice ?? '');
+        session.#whenComplete(() => session.#annotate());
+      },
+    },
+    measuring: {
+      draws: 'now',
+      execute: (session, { isOn }) => session.#core.setMeasuring(isOn),
+    },
     'keep-part': {
       draws: 'when-complete',
       execute: (session) =>
@@ -257,6 +268,11 @@ export class Session implements Waiter {
   /** Sends the last report again, in another language or unit. */
   #repeatReport(): void {
     if (this.#isReported()) this.#report('repeated');
+  }
+
+  /** Makes the annotations that do not depend on an answer at the cursor. */
+  #annotate(): void {
+    if (this.#parts.has('late')) this.#core.annotate(false);
   }
 
   #emitViews(): void {
@@ -281,11 +297,19 @@ export class Session implements Waiter {
       if (this.#oldPicture.isShown && PICTURE_QUESTIONS.has(question.about))
         return void this.#reply(question.id, undefined);
       if (row.draws !== undefined) this.#showCurrent();
-      void this.#reply(question.id, row.answer(this.#core, question.args));
+      const value = row.answer(this.#core, question.args);
+      void this.#reply(question.id, value);
       if (row.draws !== undefined) this.#drawing.request(row.draws);
+      if (row.annotates?.(question.args) === true) void this.#drawAnnotations(value);
     };
     if (row.waitsFor === undefined) answer();
     else this.#whenComplete(answer);
+  }
+
+  /** Draws the annotations that an answer has made; the picture of an earlier run has none. */
+  async #drawAnnotations(answer: unknown): Promise<void> {
+    await answer;
+    if (!this.#oldPicture.isShown && !this.#isClosed) this.#drawing.request('when-complete');
   }
 
   #isLoaded(needs: readonly PartName[]): boolean {
@@ -468,6 +492,7 @@ export class Session implements Waiter {
     while (!done && performance.now() < deadline);
     if (done) {
       this.#stage = { kind: 'done' };
+      this.#annotate();
       for (const callback of this.#completionCallbacks.splice(0)) callback();
       this.#report(machining.pathReported ? 'part' : 'whole');
       if (!this.#oldPicture.isShown) this.#drawing.request('now');

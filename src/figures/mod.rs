@@ -1,0 +1,183 @@
+//! The annotations of pictures: the dimension of a word, the letters of a cycle, the dimensions of a part.
+//!
+//! In: a run, and help at a place (`assist`). Out: lists of [`Annotation`], which `scene` places and draws. All
+//! values come from the run, so they follow every edit. Must not know canvases or a language.
+
+mod cycle;
+pub mod measure;
+mod part;
+mod word;
+
+pub use part::of_part;
+
+use crate::assist::Query;
+use crate::assist::form::Form;
+use crate::control::codes::cycles::CycleBlock;
+use crate::machine::SimulationResult;
+use crate::machine::feature::threads;
+use crate::motion::Motions;
+use crate::run::Run;
+use crate::run::replay::{Found, VisitChoice};
+use crate::scene::annotation::Annotation;
+use crate::source::LineIndex;
+use crate::text::parser::Resume;
+
+/// Maximum number of blocks that are executed again to find a block; with more, a figure would delay the page.
+const MAX_BLOCKS: usize = 200_000;
+
+/// The dimensions of the finished part of a simulation; empty without one.
+pub fn of_finished(simulation: &SimulationResult, motions: &Motions) -> Vec<Annotation> {
+    let threads = || threads(motions, simulation.resolved_setup());
+    simulation.finished().map_or_else(Vec::new, |part| of_part(&part, &threads(), motions))
+}
+
+/// The annotations of the word at a byte of a program that has finished.
+pub fn of_word(run: &mut Run, byte: u32) -> Vec<Annotation> {
+    let Some(found) = replay(run, byte) else { return Vec::new() };
+    let block = found.block(run);
+    let asked = Query::new(run, &found, &block);
+    at_cursor(&asked, byte, run.motions())
+}
+
+/// The annotations of the word at a byte of a block.
+pub fn at_cursor(asked: &Query, byte: u32, motions: &Motions) -> Vec<Annotation> {
+    let hover = asked.hover(byte, &[], motions);
+    hover.map_or_else(Vec::new, |hover| asked.annotations(&hover, motions))
+}
+
+/// The figure of the cycle that the block at a byte calls: its letters, and the dimensions of its words, also of
+/// its first block in the line before. Empty if the block calls none.
+pub fn of_cycle(run: &mut Run, byte: u32) -> Vec<Annotation> {
+    let Some(found) = replay(run, byte) else { return Vec::new() };
+    let block = found.block(run);
+    let asked = Query::new(run, &found, &block);
+    let mut all = cycle::letters(&asked, run.motions(), run.landmarks());
+    if all.is_empty() {
+        return all;
+    }
+    all.extend(cycle::dimensions(&asked, run.motions()));
+    let lines = LineIndex::new(run.text());
+    let line = lines.line_of(byte);
+    let before = line.checked_sub(1).map(|before| lines.line(run.text(), before).start);
+    if let Some(found) = before.and_then(|before| replay(run, before)) {
+        let block = found.block(run);
+        let first = Query::new(run, &found, &block);
+        let is_first = first.visit.is_some_and(|visit| {
+            let form = Form::of(&block, &visit.before.state, run.code_list());
+            matches!(form, Form::Multiple(_, CycleBlock::First))
+        });
+        if is_first {
+            all.extend(cycle::dimensions(&first, run.motions()));
+        }
+    }
+    let asked = Query::new(run, &found, &block);
+    cycle::with_detail(all, &asked, run.motions())
+}
+
+/// The first byte of the block that calls the first cycle of a program that has finished.
+pub fn first_cycle(run: &Run) -> Option<u32> {
+    let motions = run.motions();
+    (0..motions.len())
+        .find(|&index| motions.get(index).cycle.is_some())
+        .map(|index| motions.span(index).start)
+}
+
+/// The execution of the block at a byte; `None` if it comes after too many blocks.
+fn replay(run: &mut Run, byte: u32) -> Option<Found> {
+    let lines = LineIndex::new(run.text());
+    let line = lines.line_of(byte);
+    let start = Resume::inside(lines.line(run.text(), line).start, line);
+    let mut replay = run.replay(start, byte, VisitChoice::Usual);
+    run.advance_replay(&mut replay, MAX_BLOCKS).then(|| replay.found())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::codes::role::Role;
+    use crate::control::codes::{self, G, MotionMode};
+    use crate::setup::Setup;
+    use crate::setup::dialect::CodeList;
+
+    /// Programs that contain every word of every cycle at least once.
+    const PROGRAMS: &[&str] = &[
+        "G00 X62 Z2 M03 S500\nG90 X58 Z-25 R-10.8 F0.2\nU-8 W-27\nG00 X62 Z2\nG90 X58 Z-25 I-5\nM30\n",
+        "G00 X54 Z5 M03 S500\nG94 X30 Z0 R-24 F0.1\nG00 X54 Z5\nG94 U-24 W-5 K-24\nM30\n",
+        "G00 X32 Z5 M03 S300\nG92 X29 Z-20 R-1 F2\nG00 X32 Z5\nG92 U-3 W-25 I8\nM30\n",
+        "(CONTROL GSK)\nG00 X32 Z5 M03 S300\nG92 X29 Z-20 F2 J2 K3\nM30\n",
+        "G00 X60 Z10 M03 S300\nG76 X33.8 Z-60 K2.4 D700 F4 A60\nM30\n",
+        "G00 X41 Z0 M03 S600\nG71 U2 R1\nG71 P50 Q70 U0.5 W0.2 F0.2\nN50 G00 X20\nN60 G01 Z-20\nN70 X41\n\
+            G70 P50 Q70\nM30\n",
+        "G00 X41 Z1 M03 S600\nG72 W2 R1\nG72 P50 Q70 U0.5 W0.2 F0.2\nN50 G00 Z-20\nN60 G01 X20\nN70 Z1\n\
+            M30\n",
+        "G00 X50 Z10 M03 S600\nG73 U18 W5 R10\nG73 P50 Q70 U0.5 W0.5 F0.2\nN50 G00 X20 Z1\nN60 G01 Z-20\n\
+            N70 X41\nM30\n",
+        "G00 X20 Z2 M03 S500\nG74 R1\nG74 X10 Z-12 P2000 Q5000 R0.3 F0.1\nG00 X20 Z2\n\
+            G74 U-10 W-14 P2000 Q5000 F0.1\nM30\n",
+        "G00 X42 Z22 M03 S500\nG75 R1\nG75 X30 Z10 P3000 Q2900 R0.3 F0.1\nG00 X42 Z22\n\
+            G75 U-12 W-12 P3000 Q2900 F0.1\nM30\n",
+        "G00 X60 Z10 M03 S300\nG76 P011060 Q100 R0.1\nG76 X33.8 Z-60 R-1 P2400 Q700 F4\nG00 X60 Z10\n\
+            G76 U-26.2 W-70 P2400 Q700 F4\nM30\n",
+    ];
+
+    /// The roles whose word has an annotation in a program.
+    fn annotated(text: &str) -> Vec<Role> {
+        let setup = if text.contains("GSK") { r#"{"dialect": {"control": "gsk"}}"# } else { "{}" };
+        let mut run = Run::new(text.as_bytes().to_vec(), Setup::from_json(setup).expect("a setup"));
+        while !run.advance(usize::MAX) {}
+        let lines = LineIndex::new(run.text());
+        let mut roles = Vec::new();
+        for line in 0..lines.len() {
+            let start = lines.line(run.text(), line).start;
+            let Some(found) = replay(&mut run, start) else { continue };
+            let block = found.block(&run);
+            let asked = Query::new(&run, &found, &block);
+            for word in &block.words {
+                let hover = asked.hover(word.span.start, &[], run.motions());
+                if let Some(hover) = hover.filter(|hover| !asked.annotations(hover, run.motions()).is_empty())
+                {
+                    roles.extend(hover.role);
+                }
+            }
+        }
+        roles
+    }
+
+    /// Why the word of a cycle has no dimension; `None` if it has one.
+    fn reason_for_none(role: Role) -> Option<&'static str> {
+        use Role::*;
+        Some(match role {
+            Feed | CuttingSpeed | SpindleSpeed => "a speed, not a length",
+            DwellSeconds | DwellMilliseconds | HoleDwell => "a time",
+            ContourFirst | ContourLast => "a block number: A′ and B are the ends of the contour",
+            FinishAfter | InfeedMethod => "a choice, not a length",
+            Starts | Repeats => "a number of repetitions",
+            StartAngle => "an angle of the spindle, which a half-section does not show",
+            HoleAngle | EndC | WayC => "an angle about the axis, which a half-section does not show",
+            ThreadsPerInch => "F shows the lead",
+            ToolAndOffset => "the number of a tool",
+            Ignored => "not used by the control",
+            _ => return None,
+        })
+    }
+
+    #[test]
+    fn every_word_of_a_cycle_has_a_dimension_or_a_reason() {
+        let seen: Vec<Role> = PROGRAMS.iter().flat_map(|text| annotated(text)).collect();
+        let blocks = [CycleBlock::First, CycleBlock::Second];
+        let mut wrong = Vec::new();
+        for (_, code) in codes::g_codes(CodeList::A) {
+            let lists = match code.code {
+                G::Multiple(cycle) => blocks.map(|block| cycle.spec().words(block)).to_vec(),
+                G::Motion(MotionMode::Cycle(cycle)) => vec![cycle.spec().words],
+                _ => continue,
+            };
+            for &role in lists.into_iter().flatten().flat_map(|word| word.roles) {
+                if seen.contains(&role) == reason_for_none(role).is_some() {
+                    wrong.push((code.code, role));
+                }
+            }
+        }
+        assert!(wrong.is_empty(), "{wrong:?}");
+    }
+}

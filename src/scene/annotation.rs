@@ -1,0 +1,258 @@
+//! Annotations of a picture, as in technical drawings: named points, dimensions, notes.
+//!
+//! In: nothing. Out: [`Annotation`], data in mm without positions on the screen. The room `figures` makes
+//! annotations from a run, [`super::placement`] places them in a picture, and the painters draw the result.
+//! A label contains letters and numbers only, no words of a language.
+
+use crate::geometry::{Point, SAME};
+use crate::units::{Unit, number};
+
+/// Which annotations a picture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Annotate {
+    /// None.
+    None,
+    /// The dimension of the word at the cursor.
+    #[default]
+    Word,
+    /// The letters and dimensions of the cycle at the cursor, or of the first one while there is no cursor.
+    Cycle,
+    /// The dimensions of the finished part.
+    Part,
+}
+
+/// A named point, a dimension or a note.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Annotation {
+    /// What is marked.
+    pub shape: Shape,
+    /// The text beside it.
+    pub label: Label,
+    /// Whether the label may be omitted if there is no free place for it.
+    pub importance: Importance,
+}
+
+/// What an annotation marks. X is a radius; all lengths in mm.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// A point with a dot.
+    Point(Point),
+    /// The distance of two points along Z.
+    Axial([Point; 2]),
+    /// The distance of two points along X.
+    Radial([Point; 2]),
+    /// A diameter across the axis, beside a point of the contour.
+    Diameter(Point),
+    /// A diameter across the axis, through a point of the contour.
+    DiameterThrough(Point),
+    /// The radius of an arc: its centre and a point on it.
+    Radius {
+        /// The centre.
+        center: Point,
+        /// The point that the arrow touches.
+        on: Point,
+    },
+    /// The angle between two arms.
+    Angle {
+        /// Where the arms meet.
+        vertex: Point,
+        /// A point on the arm that the angle is measured from.
+        base: Point,
+        /// The end of the other arm.
+        end: Point,
+    },
+    /// A note with a leader to a point.
+    Note(Point),
+    /// The number of a step, beside its stroke.
+    Step([Point; 2]),
+    /// A detail at a larger scale.
+    Detail(Box<Detail>),
+}
+
+/// A part of the picture that is drawn again at a larger scale, in a free area.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Detail {
+    /// The middle of the circle around it.
+    pub at: Point,
+    /// The radius of the circle, mm.
+    pub radius: f64,
+    /// What is drawn.
+    pub lines: Vec<Vec<Point>>,
+    /// Its own dimensions.
+    pub annotations: Vec<Annotation>,
+}
+
+/// Which labels are placed first. A lower importance is omitted first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Importance {
+    /// May be omitted.
+    Low,
+    /// Omitted only after all others.
+    Usual,
+    /// The word at the cursor, and the letters of its cycle: never omitted.
+    Required,
+}
+
+/// The text of a label: a name as in manuals, a value, or both.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Label {
+    /// The name, such as `Δd`, `U/2` or `A′`; empty for a value alone.
+    pub name: &'static str,
+    /// The value.
+    pub value: Option<Measure>,
+}
+
+/// The value of a label.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Measure {
+    /// A length, mm.
+    Length(f64),
+    /// A diameter, mm.
+    Diameter(f64),
+    /// A radius of an arc, mm.
+    Radius(f64),
+    /// A coordinate, with the letter of its axis, mm.
+    Coordinate(char, f64),
+    /// An angle, degrees.
+    Degrees(f64),
+    /// A number of passes.
+    Count(f64),
+    /// A cone by its ratio 1:n.
+    Ratio(f64),
+    /// A metric thread by its diameter and lead, mm.
+    Thread(f64, f64),
+}
+
+impl Annotation {
+    /// The annotation of the word at the cursor.
+    pub fn of_word(shape: Shape, name: &'static str, value: Measure) -> Self {
+        Self { shape, label: Label { name, value: Some(value) }, importance: Importance::Required }
+    }
+
+    /// The number of a step of a cycle.
+    pub fn step(ends: [Point; 2], name: &'static str) -> Self {
+        let label = Label { name, value: None };
+        Self { shape: Shape::Step(ends), label, importance: Importance::Usual }
+    }
+
+    /// A dimension of a part or a cycle.
+    pub fn dimension(shape: Shape, name: &'static str, value: Measure) -> Self {
+        Self { shape, label: Label { name, value: Some(value) }, importance: Importance::Usual }
+    }
+
+    /// A name with a leader to a point.
+    pub fn note(at: Point, name: &'static str) -> Self {
+        let label = Label { name, value: None };
+        Self { shape: Shape::Note(at), label, importance: Importance::Usual }
+    }
+
+    /// A named point of a cycle.
+    pub fn point(at: Point, name: &'static str) -> Self {
+        let label = Label { name, value: None };
+        Self { shape: Shape::Point(at), label, importance: Importance::Required }
+    }
+}
+
+impl Shape {
+    /// Whether there is anything to draw: a distance of 0 has no arrows.
+    pub fn is_visible(&self) -> bool {
+        match self {
+            Self::Axial([a, b]) => (a.z - b.z).abs() > SAME,
+            Self::Radial([a, b]) => (a.x - b.x).abs() > SAME,
+            Self::Diameter(at) | Self::DiameterThrough(at) => at.x.abs() > SAME,
+            Self::Point(_)
+            | Self::Note(_)
+            | Self::Step(_)
+            | Self::Radius { .. }
+            | Self::Angle { .. }
+            | Self::Detail(_) => true,
+        }
+    }
+
+    /// The same shape with its points elsewhere; a detail is not displaced.
+    pub fn map(&self, place: impl Fn(Point) -> Point) -> Self {
+        match *self {
+            Self::Detail(ref detail) => Self::Detail(detail.clone()),
+            Self::Point(at) => Self::Point(place(at)),
+            Self::Axial(ends) => Self::Axial(ends.map(place)),
+            Self::Radial(ends) => Self::Radial(ends.map(place)),
+            Self::Diameter(at) => Self::Diameter(place(at)),
+            Self::DiameterThrough(at) => Self::DiameterThrough(place(at)),
+            Self::Radius { center, on } => {
+                let moved = place(on);
+                let by = Point::new(moved.x - on.x, moved.z - on.z);
+                Self::Radius { center: center.moved(by), on: moved }
+            }
+            Self::Angle { vertex, base, end } => {
+                let moved = place(vertex);
+                let by = Point::new(moved.x - vertex.x, moved.z - vertex.z);
+                Self::Angle { vertex: moved, base: base.moved(by), end: end.moved(by) }
+            }
+            Self::Note(at) => Self::Note(place(at)),
+            Self::Step(ends) => Self::Step(ends.map(place)),
+        }
+    }
+
+    /// The points that it marks.
+    pub fn points(&self) -> Vec<Point> {
+        match *self {
+            Self::Detail(ref detail) => vec![detail.at],
+            Self::Point(at) | Self::Note(at) => vec![at],
+            Self::Axial(ends) | Self::Radial(ends) | Self::Step(ends) => ends.to_vec(),
+            Self::Diameter(at) | Self::DiameterThrough(at) => vec![at, Point::new(-at.x, at.z)],
+            Self::Radius { center, on } => vec![on, center],
+            Self::Angle { vertex, end, .. } => vec![vertex, end],
+        }
+    }
+}
+
+impl Label {
+    /// The text, with lengths in `unit`.
+    pub fn text(&self, unit: Unit) -> String {
+        let Some(value) = self.value else { return self.name.to_owned() };
+        let value = value.text(unit);
+        if self.name.is_empty() { value } else { format!("{} = {value}", self.name) }
+    }
+}
+
+impl Measure {
+    /// The value as it is printed: rounded to the last digit that a control shows, with the sign of print (−).
+    pub fn text(self, unit: Unit) -> String {
+        let length = |mm: f64| {
+            let factor = 10f64.powi(i32::from(unit.decimals()));
+            printed((mm / unit.millimetres() * factor).round() / factor)
+        };
+        match self {
+            Self::Length(mm) => length(mm),
+            Self::Diameter(mm) => format!("Ø{}", length(mm)),
+            Self::Radius(mm) => format!("R{}", length(mm)),
+            Self::Coordinate(axis, mm) => format!("{axis}{}", length(mm)),
+            Self::Degrees(degrees) => format!("{}°", printed((degrees * 100.0).round() / 100.0)),
+            Self::Count(count) => printed(count),
+            Self::Ratio(ratio) => format!("1:{}", printed(ratio)),
+            Self::Thread(diameter, lead) => format!("M{}×{}", length(diameter), length(lead)),
+        }
+    }
+}
+
+fn printed(value: f64) -> String {
+    number(value).replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_label_has_the_sign_and_digits_of_print() {
+        let text = |value: Measure, unit| Label { name: "", value: Some(value) }.text(unit);
+        assert_eq!(text(Measure::Length(-7.5), Unit::Millimetre), "−7.5");
+        assert_eq!(text(Measure::Length(25.4 / 3.0), Unit::Inch), "0.3333");
+        assert_eq!(text(Measure::Diameter(33.8), Unit::Millimetre), "Ø33.8");
+        assert_eq!(text(Measure::Degrees(30.963_756), Unit::Inch), "30.96°");
+        assert_eq!(text(Measure::Coordinate('Z', -0.000_04), Unit::Millimetre), "Z0");
+        let depth = Label { name: "Δd", value: Some(Measure::Length(2.0)) };
+        assert_eq!(depth.text(Unit::Millimetre), "Δd = 2");
+        assert_eq!(Label { name: "A′", value: None }.text(Unit::Millimetre), "A′");
+    }
+}

@@ -1,0 +1,169 @@
+//! The areas of a picture that labels must not cover.
+//!
+//! In: the strokes and edges of a scene, and a camera. Out: [`Occupied`], a coarse map of the picture. A map
+//! costs the same for ten strokes and for a million.
+
+use super::camera::{Camera, Pixel, Size};
+use super::work::closed;
+use super::{Plane, Scene, StrokeShape};
+use crate::geometry::Point;
+use crate::machine::region::Region;
+
+/// Edge length of a cell, CSS pixels.
+const CELL: f64 = 4.0;
+/// Maximum number of strokes that are entered; in a picture with more, labels may cover some.
+const MAX_STROKES: usize = 50_000;
+
+/// A rectangle, CSS pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rectangle {
+    /// The upper left corner.
+    pub min: Pixel,
+    /// The lower right corner.
+    pub max: Pixel,
+}
+
+impl Rectangle {
+    /// A rectangle around its middle.
+    pub fn around(middle: Pixel, width: f64, height: f64) -> Self {
+        let (x, y) = (width / 2.0, height / 2.0);
+        Self { min: Pixel::new(middle.x - x, middle.y - y), max: Pixel::new(middle.x + x, middle.y + y) }
+    }
+
+    /// The middle.
+    pub fn middle(&self) -> Pixel {
+        Pixel::new((self.min.x + self.max.x) / 2.0, (self.min.y + self.max.y) / 2.0)
+    }
+
+    /// Whether both have a common area.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.min.x < other.max.x
+            && other.min.x < self.max.x
+            && self.min.y < other.max.y
+            && other.min.y < self.max.y
+    }
+
+    /// The point of the border nearest to `at`.
+    pub fn nearest(&self, at: Pixel) -> Pixel {
+        Pixel::new(at.x.clamp(self.min.x, self.max.x), at.y.clamp(self.min.y, self.max.y))
+    }
+}
+
+/// A map of the cells that strokes or edges pass through.
+#[derive(Clone, Debug)]
+pub struct Occupied {
+    columns: usize,
+    rows: usize,
+    cells: Vec<bool>,
+}
+
+impl Occupied {
+    /// The map of a scene, with its strokes as they are drawn.
+    pub fn of(scene: &Scene, camera: &Camera, strokes: impl Iterator<Item = StrokeShape>) -> Self {
+        let mut map = Self::empty(camera);
+        for shape in strokes.take(MAX_STROKES) {
+            map.shape(&shape, camera);
+        }
+        if let Some(work) = scene.work() {
+            let outlines = closed(&work.part).into_iter().chain(closed(&work.obstacles));
+            map.outlines(outlines, scene.plane(), camera);
+        }
+        map
+    }
+
+    /// The map of the half-section of a part, above and below the axis.
+    pub fn of_part(part: &Region, camera: &Camera) -> Self {
+        let mut map = Self::empty(camera);
+        let outlines = part.outlines().map(|outline| {
+            let corners: Vec<Point> = outline.collect();
+            [&corners[..], &corners[..1]].concat()
+        });
+        map.outlines(outlines, Plane::Section, camera);
+        map
+    }
+
+    /// The map of lines in a picture.
+    pub fn of_lines(lines: &[Vec<Pixel>], camera: &Camera) -> Self {
+        let mut map = Self::empty(camera);
+        lines.iter().flat_map(|line| line.windows(2)).for_each(|ends| map.line(ends[0], ends[1]));
+        map
+    }
+
+    fn empty(camera: &Camera) -> Self {
+        let Size { width, height } = camera.size();
+        let [columns, rows] = [width, height].map(|length| (length / CELL).ceil() as usize + 1);
+        Self { columns, rows, cells: vec![false; columns * rows] }
+    }
+
+    /// Whether nothing is drawn in an area.
+    pub fn is_free(&self, area: &Rectangle) -> bool {
+        let cell = |at: f64, most: usize| ((at / CELL).max(0.0) as usize).min(most - 1);
+        let columns = cell(area.min.x, self.columns)..=cell(area.max.x, self.columns);
+        let rows = cell(area.min.y, self.rows)..=cell(area.max.y, self.rows);
+        rows.into_iter().all(|row| columns.clone().all(|column| !self.cells[row * self.columns + column]))
+    }
+
+    fn outlines(&mut self, outlines: impl Iterator<Item = Vec<Point>>, plane: Plane, camera: &Camera) {
+        for outline in outlines {
+            for side in plane.sides() {
+                let corners: Vec<Pixel> =
+                    outline.iter().map(|at| camera.to_screen(Point::new(side * at.x, at.z))).collect();
+                corners.windows(2).for_each(|ends| self.line(ends[0], ends[1]));
+            }
+        }
+    }
+
+    fn shape(&mut self, shape: &StrokeShape, camera: &Camera) {
+        let screen = |at: Point| camera.to_screen(at);
+        match shape {
+            StrokeShape::Line { from, to } => self.line(screen(*from), screen(*to)),
+            StrokeShape::Dot(at) => self.line(screen(*at), screen(*at)),
+            StrokeShape::Arc(_) => {
+                let points: Vec<Pixel> =
+                    (0..=24).map(|step| screen(shape.at(f64::from(step) / 24.0))).collect();
+                points.windows(2).for_each(|ends| self.line(ends[0], ends[1]));
+            }
+            StrokeShape::Virtual(own) => {
+                let points: Vec<Pixel> = StrokeShape::curve(own).into_iter().map(screen).collect();
+                points.windows(2).for_each(|ends| self.line(ends[0], ends[1]));
+            }
+        }
+    }
+
+    /// Marks the cells along a line.
+    fn line(&mut self, from: Pixel, to: Pixel) {
+        let size = [self.columns as f64 * CELL, self.rows as f64 * CELL];
+        let Some([from, to]) = clipped(from, to, size) else { return };
+        let steps = (from.distance(to) / (CELL / 2.0)).ceil().max(1.0);
+        for step in 0..=steps as usize {
+            let share = step as f64 / steps;
+            let x = from.x + share * (to.x - from.x);
+            let y = from.y + share * (to.y - from.y);
+            let (column, row) = ((x / CELL) as usize, (y / CELL) as usize);
+            if column < self.columns && row < self.rows {
+                self.cells[row * self.columns + column] = true;
+            }
+        }
+    }
+}
+
+/// The part of a line inside a picture.
+fn clipped(from: Pixel, to: Pixel, [width, height]: [f64; 2]) -> Option<[Pixel; 2]> {
+    if ![from.x, from.y, to.x, to.y].iter().all(|value| value.is_finite()) {
+        return None;
+    }
+    let (mut enter, mut leave) = (0.0, 1.0f64);
+    for (delta, start, max) in [(to.x - from.x, from.x, width), (to.y - from.y, from.y, height)] {
+        if delta.abs() < 1e-9 {
+            if start < 0.0 || start > max {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = (-start / delta, (max - start) / delta);
+        enter = f64::max(enter, a.min(b));
+        leave = f64::min(leave, a.max(b));
+    }
+    let at = |share: f64| Pixel::new(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
+    (enter <= leave).then(|| [at(enter), at(leave)])
+}

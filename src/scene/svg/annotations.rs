@@ -1,0 +1,64 @@
+//! Writes the annotations of a picture.
+//!
+//! In: annotations at their places. Out: one group with lines, arrow heads, dots and labels.
+
+use std::fmt::Write;
+
+use super::super::Scene;
+use super::super::occupied::Occupied;
+use super::super::palette::Palette;
+use super::super::placement::place;
+use super::caption::escaped;
+use super::{Contents, Drawing, SvgOptions, number, pixel, polylines};
+
+/// Style rules of annotations.
+pub(super) const SHAPES: &str = "\
+.lathe .annotations .dimension { stroke-width: 0.75 }
+.lathe .annotations text { font-weight: 600; text-anchor: middle; paint-order: stroke; stroke-width: 4; stroke-linejoin: round }";
+
+/// The colours of annotations as style rules.
+pub(super) fn colours(palette: &Palette) -> String {
+    let Palette { tool, background, .. } = palette;
+    format!(
+        ".lathe .annotations .dimension {{ stroke: {tool} }}
+.lathe .annotations .head, .lathe .annotations text {{ fill: {tool} }}
+.lathe .annotations text {{ stroke: {background} }}"
+    )
+}
+
+impl Drawing {
+    /// Draws annotations over the strokes; their labels cover no stroke.
+    pub(super) fn annotations(&mut self, scene: &Scene, options: &SvgOptions) {
+        if options.annotations.is_empty() {
+            return;
+        }
+        // The annotations are at the strokes as they are drawn.
+        let mut annotations = options.annotations.clone();
+        for annotation in &mut annotations {
+            annotation.shape = annotation.shape.map(|at| self.apart.point(scene, at));
+        }
+        let drawn = if options.contents == Contents::All { usize::MAX } else { 0 };
+        let strokes = scene.strokes().take(drawn).map(|stroke| self.apart.shape(&stroke));
+        let occupied = Occupied::of(scene, &self.camera, strokes);
+        let placed = place(&annotations, &occupied, &self.camera, options.scale.unit);
+        let mut heads = String::new();
+        for [tip, a, b] in &placed.heads {
+            let _ = write!(heads, "M{}L{}L{}Z", pixel(*tip), pixel(*a), pixel(*b));
+        }
+        for dot in &placed.dots {
+            let (x, y) = (number(dot.x - 3.0), number(dot.y));
+            let _ = write!(heads, "M{x} {y}a3 3 0 1 0 6 0a3 3 0 1 0 -6 0");
+        }
+        self.line(r#"<g class="annotations">"#);
+        self.line(&format!(r#"<path class="dimension" d="{}"/>"#, polylines(&placed.lines, "")));
+        if !heads.is_empty() {
+            self.line(&format!(r#"<path class="head" d="{heads}"/>"#));
+        }
+        for label in &placed.labels {
+            let middle = label.area.middle();
+            let (x, y) = (number(middle.x), number(middle.y + 4.0));
+            self.line(&format!(r#"<text x="{x}" y="{y}">{}</text>"#, escaped(&label.text)));
+        }
+        self.line("</g>");
+    }
+}

@@ -1,0 +1,460 @@
+//! Annotations: the dimension of a word, the letters of a cycle, the dimensions of a part, and their labels.
+//!
+//! The expected values are worked out from the programs by hand; X is a diameter in comments and a radius in
+//! values.
+
+use std::fmt::Write;
+
+use expect_test::expect_file;
+use gcode_playground::export::file::caption;
+use gcode_playground::figures;
+use gcode_playground::geometry::Point;
+use gcode_playground::machine::SimulationResult;
+use gcode_playground::run::Run;
+use gcode_playground::scene::Scene;
+use gcode_playground::scene::annotation::{Annotation, Shape};
+use gcode_playground::scene::camera::{Camera, Pixel, Size};
+use gcode_playground::scene::occupied::{Occupied, Rectangle};
+use gcode_playground::scene::path_index::PathIndex;
+use gcode_playground::scene::placement::{Placed, place};
+use gcode_playground::scene::svg::{Contents, Passes, SvgOptions, camera, section};
+use gcode_playground::scene::view::{Frame, View};
+use gcode_playground::scene::work::Work;
+use gcode_playground::sentences::Language;
+use gcode_playground::setup::Setup;
+use gcode_playground::source::LineIndex;
+use gcode_playground::units::Unit;
+
+use crate::fixtures;
+
+fn run(text: &str, setup: &Setup) -> Run {
+    let mut run = Run::new(text.as_bytes().to_vec(), setup.clone());
+    while !run.advance(usize::MAX) {}
+    run
+}
+
+/// The labels of the word that begins at `word` in a line, from 1.
+fn labels(text: &str, line: u32, word: &str) -> Vec<String> {
+    let mut run = run(text, &Setup::default());
+    annotations(&mut run, line, word).iter().map(|own| own.label.text(Unit::Millimetre)).collect()
+}
+
+fn annotations(run: &mut Run, line: u32, word: &str) -> Vec<Annotation> {
+    let lines = LineIndex::new(run.text());
+    let span = lines.line(run.text(), line - 1);
+    let text = String::from_utf8_lossy(span.of(run.text())).into_owned();
+    let column = text.find(word).unwrap_or_else(|| panic!("{word} in {text}"));
+    figures::of_word(run, span.start + column as u32)
+}
+
+const G71: &str = "N010 G50 X150 Z100\nN020 G00 X41 Z0 M03 S600\nN030 G71 U2 R1\nN040 G71 P50 Q120 U0.5 W0.2 F100\n\
+    N050 G01 X0\nN060 G03 X11 W-5.5 R5.5\nN070 G01 W-10\nN080 X17 W-10\nN090 W-15\nN100 G02 X29 W-7.348 R7.5\n\
+    N110 G01 W-12.652\nN120 X41\nN130 G70 P50 Q120 F30\nN140 M30\n";
+
+#[test]
+fn the_words_of_g71_are_dimensions_of_its_passes() {
+    assert_eq!(labels(G71, 3, "U2"), ["Δd = 2"]);
+    assert_eq!(labels(G71, 3, "R1"), ["e = 1", "45°"]);
+    assert_eq!(labels(G71, 4, "U0.5"), ["Δu/2 = 0.25"]);
+    assert_eq!(labels(G71, 4, "W0.2"), ["Δw = 0.2"]);
+    // P, Q and F are not lengths.
+    assert!(labels(G71, 4, "P50").is_empty() && labels(G71, 4, "F100").is_empty());
+    assert_eq!(labels(G71, 6, "R5.5"), ["R5.5"]);
+    assert_eq!(labels(G71, 8, "X17"), ["Ø17", "X/2 = 8.5"]);
+    assert_eq!(labels(G71, 8, "W-10"), ["W = −10"]);
+    // The passes are at Ø37.5 and Ø33.5: 2 mm apart on the radius.
+    let mut run = run(G71, &Setup::default());
+    let depth = annotations(&mut run, 3, "U2");
+    let Shape::Radial([from, to]) = depth[0].shape else { panic!("{depth:?}") };
+    assert!((from.x - 18.75).abs() < 1e-6 && (to.x - 16.75).abs() < 1e-6, "{from:?} {to:?}");
+}
+
+/// From X62 Z2 to X58 Z-25 with R-10.8: the cut starts at X36.4. arctan(10.8 / 27) = 21.80°.
+#[test]
+fn the_r_of_a_taper_is_the_step_of_its_start() {
+    let program = "G00 X62 Z2\nG90 X58 Z-25 R-10.8 F0.2\nM30\n";
+    assert_eq!(labels(program, 2, "R-10.8"), ["R = −10.8", "21.8°"]);
+    let mut run = run(program, &Setup::default());
+    let own = annotations(&mut run, 2, "R-10.8");
+    let Shape::Radial(ends) = own[0].shape else { panic!("{own:?}") };
+    assert!((ends[0].x - 18.2).abs() < 1e-9 && (ends[1].x - 29.0).abs() < 1e-9, "{ends:?}");
+    // X54 Z5 to X30 Z0 with R-24: the cut starts at Z-24.
+    let facing = "G00 X54 Z5 S500 M03\nG94 X30 Z0 R-24 F0.1\nM30\n";
+    assert_eq!(labels(facing, 2, "R-24")[0], "R = −24");
+}
+
+#[test]
+fn the_words_of_a_thread_are_depths() {
+    let program =
+        "G00 X60 Z10 M03 S300\nG76 P011060 Q0.1 R0.1\nG76 X33.8 Z-60 R0 P2.4 Q0.7 F4\nG00 X100\nM30\n";
+    assert_eq!(labels(program, 3, "P2.4"), ["k = 2.4"]);
+    assert_eq!(labels(program, 3, "Q0.7"), ["Δd = 0.7"]);
+    assert_eq!(labels(program, 3, "F4"), ["F = 4"]);
+    assert_eq!(labels(program, 2, "Q0.1"), ["Δd min = 0.1"]);
+    assert_eq!(labels(program, 2, "R0.1"), ["d = 0.1"]);
+    assert_eq!(labels(program, 3, "X33.8"), ["Ø33.8", "X/2 = 16.9"]);
+    // The crest is at Ø38.6; the first pass is 0.7 below it.
+    let mut run = run(program, &Setup::default());
+    let own = annotations(&mut run, 3, "Q0.7");
+    let Shape::Radial([crest, first]) = own[0].shape else { panic!("{own:?}") };
+    assert!((crest.x - 19.3).abs() < 1e-6 && (first.x - 18.6).abs() < 1e-6, "{own:?}");
+}
+
+#[test]
+fn pecks_and_columns_of_g75_are_lengths() {
+    let program = "G50 X60 Z70\nG00 X42 Z22 M03\nG75 R1\nG75 X30 Z10 P3 Q2.9 F30\nG00 X60 Z70\nM30\n";
+    assert_eq!(labels(program, 3, "R1"), ["e = 1"]);
+    assert_eq!(labels(program, 4, "P3"), ["Δi = 3"]);
+    assert_eq!(labels(program, 4, "Q2.9"), ["Δk = 2.9"]);
+}
+
+#[test]
+fn corners_arcs_and_angles_have_their_sizes() {
+    let program = "G00 X20 Z2 M03 S500\nG01 Z-15 ,R3 F0.2\nX40 ,C2\nZ-30\nG02 X50 Z-35 I5 K0\nG01 X70 ,A150\nG00 Z5\nM30\n";
+    assert_eq!(labels(program, 2, ",R3"), ["R3"]);
+    assert_eq!(labels(program, 3, ",C2"), ["C2"]);
+    assert_eq!(labels(program, 5, "I5"), ["I = 5"]);
+    assert_eq!(labels(program, 6, ",A150"), ["A = 150°"]);
+}
+
+/// The named points of the figure of a cycle, as diameters.
+fn points(text: &str, line: u32) -> Vec<(&'static str, f64, f64)> {
+    let mut run = run(text, &Setup::default());
+    let lines = LineIndex::new(run.text());
+    let start = lines.line(run.text(), line - 1).start;
+    let own = figures::of_cycle(&mut run, start);
+    let named = own.iter().filter_map(|own| match own.shape {
+        Shape::Point(at) => Some((own.label.name, at.x + at.x, at.z)),
+        _ => None,
+    });
+    named.collect()
+}
+
+#[track_caller]
+fn assert_points(found: &[(&'static str, f64, f64)], expected: &[(&'static str, f64, f64)]) {
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for (own, wanted) in found.iter().zip(expected) {
+        let off = (own.1 - wanted.1).abs().max((own.2 - wanted.2).abs());
+        assert!(own.0 == wanted.0 && off < 1e-6, "{found:?}, not {expected:?}");
+    }
+}
+
+#[test]
+fn the_letters_of_a_cycle_are_where_the_manuals_have_them() {
+    let straight = "G00 X32 Z2 M03 S400\nG90 X26 Z-30 F0.1\nM30\n";
+    assert_points(
+        &points(straight, 2),
+        &[("A", 32.0, 2.0), ("B", 26.0, 2.0), ("C", 26.0, -30.0), ("D", 32.0, -30.0)],
+    );
+    let taper = "G00 X62 Z2\nG90 X58 Z-25 R-10.8 F0.2\nM30\n";
+    assert_points(
+        &points(taper, 2),
+        &[("A", 62.0, 2.0), ("B", 36.4, 2.0), ("C", 58.0, -25.0), ("D", 62.0, -25.0)],
+    );
+    // The four signs of U, W and R (seed 001, fig. 3-57).
+    for (words, b, c) in [
+        ("U20 W-30 R5", (90.0, 0.0), (80.0, -30.0)),
+        ("U-20 W-30 R-5", (30.0, 0.0), (40.0, -30.0)),
+        ("U20 W30 R-5", (70.0, 0.0), (80.0, 30.0)),
+        ("U-20 W30 R5", (50.0, 0.0), (40.0, 30.0)),
+    ] {
+        let program = format!("G00 X60 Z0 M03 S500\nG90 {words} F0.2\nM30\n");
+        let found = points(&program, 2);
+        assert_points(&found[..3], &[("A", 60.0, 0.0), ("B", b.0, b.1), ("C", c.0, c.1)]);
+    }
+    // C of G71 is Δu/2 and Δw from A.
+    assert_points(
+        &points(G71, 4),
+        &[("A", 41.0, 0.0), ("A′", 0.0, 0.0), ("B", 41.0, -60.5), ("C", 41.5, 0.2)],
+    );
+}
+
+/// Ten passes of G73 from Ø36 more and 5 mm to the right (seed 003, example 3): nine steps of U18 on the radius.
+#[test]
+fn the_words_of_g73_are_its_relief_and_its_allowance() {
+    let all = fixtures::all();
+    let program = &all.iter().find(|fixture| fixture.id == "s003-g73").expect("a fixture").text;
+    assert_eq!(labels(program, 3, "U18"), ["Δi = 18"]);
+    assert_eq!(labels(program, 3, "W5"), ["Δk = 5"]);
+    assert_eq!(labels(program, 3, "R10"), ["d = 10"]);
+    assert_eq!(labels(program, 4, "U0.5"), ["Δu/2 = 0.25"]);
+    assert_eq!(labels(program, 4, "W0.5"), ["Δw = 0.5"]);
+    let mut run = run(program, &Setup::default());
+    let relief = annotations(&mut run, 3, "U18");
+    let Shape::Radial([first, last]) = relief[0].shape else { panic!("{relief:?}") };
+    assert!((first.x - last.x - 18.0).abs() < 1e-6, "{relief:?}");
+}
+
+/// A stepped shaft, Ø30 to Z-20 with C2 at its end, a cone to Ø40 at Z-40, Ø40 to Z-60.
+#[test]
+fn the_part_has_each_size_once() {
+    let program = "(STOCK D=50 LENGTH=80)\n(TOOL T0101 TYPE=TURNING NOSE=0)\nT0101 M03 S500\nG00 X22 Z2\n\
+        G01 X26 Z0 F0.2\nX30 Z-2\nZ-20\nX40 Z-40\nZ-60\nX52\nG00 Z5\nM30\n";
+    let mut texts = part_labels(program);
+    texts.sort();
+    let mut expected = ["C2", "Ø30", "1:2", "Ø40", "Ø50", "20", "40", "60", "80"].map(str::to_owned).to_vec();
+    expected.sort();
+    assert_eq!(texts, expected);
+}
+
+/// A shaft with random steps, cones, chamfers and arcs. Returns the program and its corners (Ø, Z).
+fn random_shaft(random: &mut Random) -> (String, Vec<(f64, f64)>) {
+    let mut program =
+        "(STOCK D=100 LENGTH=150)\n(TOOL T0101 TYPE=TURNING NOSE=0)\nT0101 M03 S500\nG00 X102 Z2\n\
+        G71 U3 R1\nG71 P10 Q20 U0.5 W0.1 F0.2\n"
+            .to_owned();
+    let (mut x, mut z) = (10.0 + 2.0 * random.below(5), 0.0);
+    let _ = writeln!(program, "N10 G00 X{x}\nG01 Z0 F0.2");
+    let mut corners = vec![(x, z)];
+    // No shoulder at first: it would be a part of the face.
+    let mut kind = 1.0;
+    for _ in 0..3 + random.below(4) as usize {
+        // Two edges on one line would be one.
+        let next = random.below(5);
+        kind = if next == kind { (next + 1.0) % 5.0 } else { next };
+        let size = 1.0 + random.below(4);
+        let block = match kind as u8 {
+            0 => {
+                z -= 5.0 + 0.5 * random.below(20);
+                format!("G01 Z{z}")
+            }
+            1 => {
+                x += 2.0 * size;
+                format!("G01 X{x}")
+            }
+            2 => {
+                (x, z) = (x + 2.0 * size, z - 3.0 * size - 6.0);
+                format!("G01 X{x} Z{z}")
+            }
+            3 => {
+                (x, z) = (x + 2.0 * size, z - size);
+                format!("G01 X{x} Z{z}")
+            }
+            _ => {
+                (x, z) = (x + 4.0 * size, z - 2.0 * size);
+                format!("G03 X{x} Z{z} R{}", 2.0 * size)
+            }
+        };
+        program += &(block + "\n");
+        corners.push((x, z));
+    }
+    if kind == 1.0 {
+        // Otherwise the last shoulder would be a part of that of the blank.
+        z -= 5.0;
+        let _ = writeln!(program, "G01 Z{z}");
+        corners.push((x, z));
+    }
+    program += "N20 G01 X102\nG70 P10 Q20\nG00 Z5\nM30\n";
+    (program, corners)
+}
+
+/// Linear congruential, after Knuth.
+struct Random(u64);
+
+impl Random {
+    /// A whole number below `end`.
+    fn below(&mut self, end: u64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) % end) as f64
+    }
+}
+
+/// The number that a label shows.
+fn shown(annotation: &Annotation) -> f64 {
+    let text = annotation.label.text(Unit::Millimetre);
+    text.trim_start_matches(|letter: char| !letter.is_ascii_digit())
+        .trim_end_matches('°')
+        .parse()
+        .unwrap_or(0.0)
+}
+
+/// The corners of 100 random shafts follow from the shown dimensions alone, and no dimension is given twice.
+#[test]
+fn the_part_can_be_rebuilt_from_its_dimensions() {
+    let mut random = Random(1);
+    for _ in 0..100 {
+        let (program, corners) = random_shaft(&mut random);
+        let run = run(&program, &Setup::default());
+        let annotations = part_annotations(&run);
+        let is_same = |a: f64, b: f64| (a - b).abs() < 0.006;
+        let (mut diameters, mut lengths, mut legs) = (Vec::new(), vec![0.0], Vec::new());
+        for own in &annotations {
+            let value = shown(own);
+            match own.shape {
+                Shape::Diameter(_) | Shape::DiameterThrough(_) => diameters.push(value),
+                Shape::Axial(_) => {
+                    assert!(!lengths.iter().any(|&other| is_same(other, value)), "{value} twice\n{program}");
+                    lengths.push(value);
+                }
+                Shape::Note(at) if own.label.text(Unit::Millimetre).starts_with('C') => {
+                    legs.push((at, value))
+                }
+                _ => {}
+            }
+        }
+        for &(x, z) in &corners {
+            // The middle of a chamfer is half a leg from its ends.
+            let by_chamfer = |at: &(Point, f64)| {
+                let (point, leg) = *at;
+                is_same((point.x - x / 2.0).abs(), leg / 2.0) && is_same((point.z - z).abs(), leg / 2.0)
+            };
+            let has_chamfer = legs.iter().any(by_chamfer);
+            let has_x = diameters.iter().any(|&value| is_same(value, x)) || has_chamfer;
+            let has_z = lengths.iter().any(|&value| is_same(value, -z)) || has_chamfer;
+            let texts: Vec<_> = annotations.iter().map(|own| own.label.text(Unit::Millimetre)).collect();
+            assert!(has_x && has_z, "Ø{x} Z{z} is not in {texts:?}\n{program}");
+        }
+    }
+}
+
+fn part_labels(program: &str) -> Vec<String> {
+    let run = run(program, &Setup::default());
+    part_annotations(&run).iter().map(|own| own.label.text(Unit::Millimetre)).collect()
+}
+
+fn part_annotations(run: &Run) -> Vec<Annotation> {
+    let simulation = SimulationResult::of(run.motions(), &run.setup_at_machine());
+    figures::of_finished(&simulation, run.motions())
+}
+
+/// The figures of cycles on paper, 80 mm and 160 mm wide. `UPDATE_EXPECT=1 cargo test --test it figures::` writes
+/// them again; look at each changed one before you commit it.
+#[test]
+fn figures_on_paper_are_the_committed_ones() {
+    let all = fixtures::all();
+    for (name, id) in [
+        ("g90", "s001-frag-g90-cyl"),
+        ("g90-taper", "s001-frag-g90-taper"),
+        ("g92", "syn-g92"),
+        ("g94", "s004-g94-right"),
+        ("g71", "s003-g71"),
+        ("g72", "s003-g72"),
+        ("g73", "s003-g73"),
+        ("g74", "s003-g74"),
+        ("g75", "s003-g75"),
+        ("g76", "s003-g76"),
+    ] {
+        let fixture = all.iter().find(|fixture| fixture.id == id).expect("a fixture");
+        let mut run = run(&fixture.text, &Setup::from_json(&fixture.setup).expect("a setup"));
+        let simulation = SimulationResult::of(run.motions(), &run.setup_at_machine());
+        let first = figures::first_cycle(&run).expect("a cycle");
+        let options = SvgOptions {
+            annotations: figures::of_cycle(&mut run, first),
+            caption: Some(caption(String::new(), Language::English)),
+            passes: Passes::Figure,
+            ..SvgOptions::default()
+        };
+        for width in [80, 160] {
+            let options = options.clone().on_paper(f64::from(width));
+            let picture = section(run.motions(), Some(&simulation), &options);
+            expect_file![format!("figures/{name}-{width}.svg")].assert_eq(&picture);
+        }
+    }
+}
+
+/// The labels of a program that are omitted, in the window of a page 1440 pixels wide and on paper 160 mm wide; a
+/// label that meets another label, a stroke, a line or the border is a failure.
+fn omitted(name: &str, mut run: Run) -> Vec<String> {
+    let simulation = SimulationResult::of(run.motions(), &run.setup_at_machine());
+    let work = Work::of(&simulation, run.motions(), None);
+    let path_index = PathIndex::of(run.motions());
+    let cycle = figures::first_cycle(&run).map_or_else(Vec::new, |byte| figures::of_cycle(&mut run, byte));
+    let scene = Scene::new(run.motions(), &path_index, work.as_ref());
+    let mut found = Vec::new();
+    for (kind, annotations, contents) in
+        [("cycle", cycle, Contents::All), ("part", part_annotations(&run), Contents::Part)]
+    {
+        let mut view = View::new(&scene, Size { width: 860.0, height: 700.0 });
+        let frame = if contents == Contents::Part { Frame::Part } else { Frame::Cuts };
+        view.set_labels(&scene, Some(frame));
+        let options = SvgOptions { annotations, contents, ..SvgOptions::default() }.on_paper(160.0);
+        let cameras = [
+            ("window", *view.camera(), true),
+            ("paper", camera(&scene, &options), contents == Contents::All),
+        ];
+        for (medium, camera, has_path) in cameras {
+            let strokes = scene.strokes().filter(|_| has_path).map(|stroke| stroke.shape);
+            let occupied = Occupied::of(&scene, &camera, strokes);
+            let placed = place(&options.annotations, &occupied, &camera, Unit::Millimetre);
+            let name = format!("{name}, {kind}, {medium}");
+            assert_meets_nothing(&name, &placed, &occupied, &camera);
+            found.extend(placed.omitted.iter().map(|text| format!("{name}: {text}")));
+        }
+    }
+    found
+}
+
+fn assert_meets_nothing(name: &str, placed: &Placed, occupied: &Occupied, camera: &Camera) {
+    for (index, label) in placed.labels.iter().enumerate() {
+        let [across, down] = camera.inside(0.0);
+        let area = label.area;
+        assert!(
+            area.min.x >= across[0]
+                && area.max.x <= across[1]
+                && area.min.y >= down[0]
+                && area.max.y <= down[1],
+            "{name}: {label:?} is outside"
+        );
+        assert!(occupied.is_free(&area), "{name}: {label:?} is over a stroke");
+        let crossing = placed.lines.iter().find(|line| passes_through(line, &area));
+        assert!(crossing.is_none(), "{name}: {label:?} is over {crossing:?}");
+        for other in &placed.labels[..index] {
+            assert!(!area.overlaps(&other.area), "{name}: {label:?} over {other:?}");
+        }
+    }
+}
+
+/// Labels contain no words, so they are the same in each language.
+#[test]
+fn labels_of_the_gallery_meet_nothing_and_none_is_omitted() {
+    let all = fixtures::all().into_iter().flat_map(|fixture| {
+        omitted(&fixture.id, run(&fixture.text, &Setup::from_json(&fixture.setup).expect("a setup")))
+    });
+    let all: Vec<String> = all.collect();
+    assert!(all.is_empty(), "{all:#?}");
+}
+
+#[test]
+fn labels_of_random_shafts_meet_nothing_and_none_is_omitted() {
+    let mut random = Random(2);
+    let all = (0..200).flat_map(|index| {
+        let (program, _) = random_shaft(&mut random);
+        omitted(&format!("shaft {index}"), run(&program, &Setup::default()))
+    });
+    let all: Vec<String> = all.collect();
+    assert!(all.is_empty(), "{all:#?}");
+}
+
+/// Whether a polyline has a point inside a rectangle, away from its border.
+fn passes_through(line: &[Pixel], area: &Rectangle) -> bool {
+    line.windows(2).any(|ends| {
+        (0..=200).any(|step| {
+            let share = f64::from(step) / 200.0;
+            let x = ends[0].x + share * (ends[1].x - ends[0].x);
+            let y = ends[0].y + share * (ends[1].y - ends[0].y);
+            (area.min.x + 1.0..area.max.x - 1.0).contains(&x)
+                && (area.min.y + 1.0..area.max.y - 1.0).contains(&y)
+        })
+    })
+}
+
+/// A word whose place is outside the picture is an arrow at the border, and the camera stays.
+#[test]
+fn a_word_out_of_view_is_an_arrow_at_the_border() {
+    let mut run = run("G00 X62 Z2\nG01 Z-30 F0.2\nX80\nM30\n", &Setup::default());
+    let own = annotations(&mut run, 2, "Z-30");
+    let path_index = PathIndex::of(run.motions());
+    let scene = Scene::new(run.motions(), &path_index, None);
+    let mut camera = Camera::fit(scene.bounds(), Size { width: 800.0, height: 500.0 });
+    camera.zoom(40.0, camera.to_screen(Point::new(200.0, 200.0)));
+    let placed = place(
+        &own,
+        &Occupied::of(&scene, &camera, scene.strokes().map(|stroke| stroke.shape)),
+        &camera,
+        Unit::Millimetre,
+    );
+    let [across, down] = camera.inside(0.0);
+    let tip = placed.heads[0][0];
+    assert!((tip.x - across[0]).abs() < 5.0 || (tip.y - down[1]).abs() < 5.0, "{tip:?}");
+    assert_eq!(placed.labels.len(), 1);
+}
