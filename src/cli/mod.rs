@@ -303,23 +303,30 @@ fn on_paper(print: Option<u16>, options: SvgOptions) -> SvgOptions {
 
 /// The annotations of a figure.
 fn annotations(program: &Program, simulation: &SimulationResult, figure: FigureName) -> Vec<Annotation> {
-    let mut run = Run::new(program.text.clone(), program.analysis.setup.clone());
-    while !run.advance(usize::MAX) {}
-    let lines = LineIndex::new(run.text());
-    let start = |run: &Run, line: u32| lines.line(run.text(), (line - 1).min(lines.len() - 1));
+    let finished = || {
+        let mut run = Run::new(program.text.clone(), program.analysis.setup.clone());
+        while !run.advance(usize::MAX) {}
+        run
+    };
+    let line_of = |run: &Run, line: u32| {
+        let lines = LineIndex::new(run.text());
+        lines.line(run.text(), (line - 1).min(lines.len() - 1))
+    };
     match figure {
         FigureName::Word { line, column } => {
-            let line = start(&run, line);
+            let mut run = finished();
+            let line = line_of(&run, line);
             figures::of_word(&mut run, (line.start + column - 1).min(line.end))
         }
         FigureName::Cycle { line } => {
+            let mut run = finished();
             let byte = match line {
-                Some(line) => Some(start(&run, line).start),
+                Some(line) => Some(line_of(&run, line).start),
                 None => figures::first_cycle(&run),
             };
             byte.map_or_else(Vec::new, |byte| figures::of_cycle(&mut run, byte))
         }
-        FigureName::Part => figures::of_finished(simulation, run.motions()),
+        FigureName::Part => figures::of_finished(simulation, &program.analysis.motions),
     }
 }
 

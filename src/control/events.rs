@@ -190,7 +190,7 @@ pub struct ContourCall<'a, Parameters> {
 pub struct FinishingCall<'a> {
     /// The cycle block.
     pub block: &'a Block,
-    /// The contour cycles of the run so far; the last one is this G70.
+    /// The contour cycles that the run has called; the last one is this G70.
     pub landmarks: &'a [Landmarks],
     /// Ends of the moves along the contour.
     pub ends: &'a [Point],

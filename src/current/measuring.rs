@@ -27,7 +27,7 @@ impl Current {
     }
 
     /// Picks the corner or edge within `reach` of a position, both in CSS pixels, as the first or the second place.
-    /// A position without either begins anew. While a tool is shown, only strokes can be picked.
+    /// A position without either clears both places. While a tool is shown, only strokes can be picked.
     pub fn measure_at(&mut self, at: Pixel, reach: f64) -> Option<Measurement> {
         let camera = *self.section().camera();
         let (place, reach_mm) = (camera.to_world(at), reach / camera.scale());

@@ -4,8 +4,8 @@
 //! at a position; [`Measured`], the distances and the angle between two of them. X is a radius; below the axis it
 //! is negative, so that a diameter can be picked at both of its edges.
 
-use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::{Point, at_share, nearest_on, share_along};
 use crate::machine::feature::{Feature, Shape as FeatureShape};
 use crate::scene::annotation::{Annotation, Importance, Measure, Shape};
 use crate::scene::{Scene, StrokeShape};
@@ -164,23 +164,8 @@ fn angle_between([a, b]: [Point; 2], [c, d]: [Point; 2]) -> f64 {
 }
 
 /// The foot of the perpendicular from a point to the line through an edge.
-fn foot([from, to]: [Point; 2], at: Point) -> Point {
-    along([from, to], share([from, to], at))
-}
-
-/// The point of an edge nearest to a position.
-fn nearest_on(ends: [Point; 2], at: Point) -> Point {
-    along(ends, crate::geometry::within(share(ends, at), 0.0, 1.0))
-}
-
-fn share([from, to]: [Point; 2], at: Point) -> f64 {
-    let (x, z) = (to.x - from.x, to.z - from.z);
-    let square = x * x + z * z;
-    if square > 0.0 { ((at.x - from.x) * x + (at.z - from.z) * z) / square } else { 0.0 }
-}
-
-fn along([from, to]: [Point; 2], share: f64) -> Point {
-    Point::new(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z))
+fn foot(edge: [Point; 2], at: Point) -> Point {
+    at_share(edge, share_along(edge, at))
 }
 
 #[cfg(test)]

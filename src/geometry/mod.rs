@@ -9,6 +9,24 @@ pub mod virtual_plane;
 /// Lengths that differ by at most this, mm, are equal: otherwise binary rounding would decide.
 pub const SAME: f64 = 1e-6;
 
+/// The share of a line at the foot of the perpendicular from a point: 0 at its start, 1 at its end, less or more
+/// beyond them; 0 for a line without length.
+pub fn share_along([from, to]: [Point; 2], at: Point) -> f64 {
+    let (x, z) = (to.x - from.x, to.z - from.z);
+    let square = x * x + z * z;
+    if square > 0.0 { ((at.x - from.x) * x + (at.z - from.z) * z) / square } else { 0.0 }
+}
+
+/// The point at a share of a line.
+pub fn at_share([from, to]: [Point; 2], share: f64) -> Point {
+    Point::new(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z))
+}
+
+/// The point of a line nearest to another point.
+pub fn nearest_on(ends: [Point; 2], at: Point) -> Point {
+    at_share(ends, within(share_along(ends, at), 0.0, 1.0))
+}
+
 /// Limits a value to `low` to `high`. Unlike `clamp` it cannot panic, which would add the number formatting
 /// of the standard library to the page's module.
 pub fn within(value: f64, low: f64, high: f64) -> f64 {

@@ -5,7 +5,7 @@
 
 use super::region::Region;
 use super::resolved_setup::ResolvedSetup;
-use crate::geometry::{Point, SAME};
+use crate::geometry::{Point, SAME, nearest_on};
 use crate::motion::{MotionKind, Motions};
 use crate::setup::Side;
 
@@ -404,16 +404,8 @@ fn length(run: &[Point]) -> f64 {
     run.windows(2).map(|ends| ends[0].distance(ends[1])).sum()
 }
 
-fn nearest(place: Point, a: Point, b: Point) -> Point {
-    let (dx, dz) = (b.x - a.x, b.z - a.z);
-    let square = dx * dx + dz * dz;
-    let share = if square > 0.0 { ((place.x - a.x) * dx + (place.z - a.z) * dz) / square } else { 0.0 };
-    let share = crate::geometry::within(share, 0.0, 1.0);
-    Point::new(a.x + share * dx, a.z + share * dz)
-}
-
 fn distance(place: Point, a: Point, b: Point) -> f64 {
-    place.distance(nearest(place, a, b))
+    place.distance(nearest_on([a, b], place))
 }
 
 #[cfg(test)]

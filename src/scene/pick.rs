@@ -4,7 +4,7 @@
 
 use std::ops::Range;
 
-use crate::geometry::{Arc, Point, Turn};
+use crate::geometry::{Arc, Point, Turn, nearest_on};
 
 use super::camera::{Camera, Pixel};
 use super::{Scene, Stroke, StrokeShape, StrokeStyle};
@@ -68,15 +68,7 @@ fn nearest(shape: &StrokeShape, pointer: Point) -> Point {
             let places = pieces.map(|piece| nearest(&piece, pointer));
             places.min_by(|a, b| a.distance(pointer).total_cmp(&b.distance(pointer))).unwrap_or(own.at(0.0))
         }
-        StrokeShape::Line { from, to } => {
-            let (dx, dz) = (to.x - from.x, to.z - from.z);
-            let square = dx * dx + dz * dz;
-            if square == 0.0 {
-                return *from;
-            }
-            let t = ((pointer.x - from.x) * dx + (pointer.z - from.z) * dz) / square;
-            shape.at(crate::geometry::within(t, 0.0, 1.0))
-        }
+        StrokeShape::Line { from, to } => nearest_on([*from, *to], pointer),
         StrokeShape::Arc(arc) => nearest_on_arc(arc, pointer),
         StrokeShape::Dot(at) => *at,
     }

@@ -9,7 +9,7 @@ use std::ops::Range;
 use super::super::{Scene, Stroke, StrokeShape};
 use super::Passes;
 use crate::geometry::bounds::Bounds;
-use crate::geometry::{Arc, Point, within};
+use crate::geometry::{Arc, Point, at_share, share_along, within};
 use crate::motion::{Cycle, CycleFamily, Motions, Step};
 
 /// Distance between two passes, and between two pecks, CSS pixels, if there is room.
@@ -101,7 +101,7 @@ impl Apart {
         for stroke in scene.strokes_near(Bounds::of(at).grown(ON_STROKE)) {
             let Some(share) = share_of(&stroke.shape, at) else { continue };
             let [start, end] = self.places.get(stroke.motion).copied().unwrap_or([IN_PLACE; 2]);
-            let by = Point::new(start.x + share * (end.x - start.x), start.z + share * (end.z - start.z));
+            let by = at_share([start, end], share);
             if by == IN_PLACE {
                 return at;
             }
@@ -200,11 +200,8 @@ impl Apart {
 fn share_of(shape: &StrokeShape, at: Point) -> Option<f64> {
     match shape {
         StrokeShape::Line { from, to } => {
-            let (x, z) = (to.x - from.x, to.z - from.z);
-            let square = x * x + z * z;
-            let share = if square > 0.0 { ((at.x - from.x) * x + (at.z - from.z) * z) / square } else { 0.0 };
-            let share = within(share, 0.0, 1.0);
-            let place = Point::new(from.x + share * x, from.z + share * z);
+            let share = within(share_along([*from, *to], at), 0.0, 1.0);
+            let place = at_share([*from, *to], share);
             (place.distance(at) < ON_STROKE).then_some(share)
         }
         StrokeShape::Dot(place) => (place.distance(at) < ON_STROKE).then_some(0.0),

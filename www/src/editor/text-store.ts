@@ -43,7 +43,7 @@ export interface ProgramContext {
   readonly control: string | null;
   /** JSON. */
   readonly setup: string | null;
-  /** The active levels of block skip, such as `1,2`; overrides those of the setup. */
+  /** The active levels of block skip, such as `1,2`; overrides the setup. */
   readonly blockSkip: string | null;
   /** The O number of the program to run; overrides that of the setup. */
   readonly program: string | null;

@@ -236,9 +236,9 @@ export interface Shell {
   readonly language: Language;
   /** Whether the program is read-only. */
   readonly readonly: boolean;
-  /** All problems of the newest report, also those that are held back while the user types. */
   /** The dimensions and letters that the host page has chosen. */
   readonly annotate: AnnotateChoice;
+  /** All problems of the newest report, also those that are held back while the user types. */
   readonly diagnostics: readonly Diagnostic[];
   /** Whether the program text is shown, not only its results. */
   readonly showsProgram: boolean;
