@@ -128,7 +128,8 @@ fn write_words(block: &Block, points: Points, key: &mut Vec<u8>) {
     if let Some(level) = block.delete {
         key.extend([b'/', b'0' + level % 10, SEPARATOR]);
     }
-    if let Some((number, _)) = block.program {
+    // `O1234<NAME>` has a number and a name.
+    for (number, _) in block.program.into_iter().chain(block.second_name) {
         key.push(b'O');
         key.extend(number.to_string().bytes());
         key.push(SEPARATOR);

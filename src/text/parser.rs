@@ -102,6 +102,8 @@ pub struct Parser<'a> {
     line: u32,
     /// Whether a block with content was read.
     begun: bool,
+    /// Whether it started within a text, after a block with content.
+    follows_block: bool,
     /// Whether the next block follows a `;` on the same line.
     after_semicolon: bool,
     ended: bool,
@@ -122,6 +124,7 @@ impl<'a> Parser<'a> {
             lexer: Lexer::new(text, at.byte as usize),
             line: at.line,
             begun: at.begun,
+            follows_block: at.is_inside && has_block_before(text, at.byte),
             after_semicolon: at.after_semicolon,
             ended: at.ended,
             is_trial: false,
@@ -139,6 +142,7 @@ impl<'a> Parser<'a> {
             byte: self.lexer.position() as u32,
             line: self.line,
             begun: self.begun,
+            is_inside: self.follows_block,
             after_semicolon: self.after_semicolon,
             ended: self.ended,
         }
@@ -188,7 +192,7 @@ impl<'a> Parser<'a> {
     /// Examines a block with errors again: it may be text, or contain plain words.
     fn reclassify(&self, block: &mut Block, after_semicolon: bool) {
         let text = self.lexer.text();
-        let may_lead = !self.begun && !self.is_trial && (block.span.start as usize) < LEADER;
+        let may_lead = self.leads(block) && !self.is_trial;
         if may_lead && leader(text).is_some_and(|end| block.span.start < end) {
             return keep_as_comment(block, trimmed(text, block.span));
         }
@@ -276,6 +280,11 @@ impl<'a> Parser<'a> {
         }
     }
 
+    /// Whether a block may precede the program.
+    fn leads(&self, block: &Block) -> bool {
+        !self.begun && !self.follows_block && (block.span.start as usize) < LEADER
+    }
+
     /// Whether a block with text can only be a remark, although it contains a code: `; G71 roughing` at the
     /// head of a line, or such a line before the first program number. A block with a position is not a
     /// remark.
@@ -284,10 +293,9 @@ impl<'a> Parser<'a> {
         let names_place = block.words.iter().any(|word| b"XZUW".contains(&word.address));
         let before = &text[..block.span.start as usize];
         let mut before = before.iter().rev().take_while(|byte| !matches!(byte, b'\n' | b'\r'));
-        let leads = !self.begun && (block.span.start as usize) < LEADER;
         let is_remark = match after_semicolon {
             true => before.all(|&byte| byte == b';' || is_blank(byte)),
-            false => leads && has_program_number(&text[..text.len().min(LEADER)]),
+            false => self.leads(block) && has_program_number(&text[..text.len().min(LEADER)]),
         };
         let is_statement = block.kind != BlockKind::Words || block.program.is_some();
         is_remark && !plain.groups.is_empty() && !plain.is_ambiguous && !names_place && !is_statement
@@ -314,7 +322,8 @@ impl<'a> Parser<'a> {
         const AFTER: usize = 256;
         let (end, rest) = (fixed.len(), &text[block.span.end as usize..]);
         fixed.extend_from_slice(&rest[..rest.len().min(AFTER)]);
-        let here = Resume { begun: self.begun, after_semicolon, ..Resume::default() };
+        let begun = self.begun || self.follows_block;
+        let here = Resume { begun, after_semicolon, ..Resume::default() };
         let mut trial = Parser { is_trial: true, ..Parser::resume(&fixed, here) };
         let errors = |block: &Block| block.faults.iter().filter(|fault| fault.is_error()).count();
         let (mut read, mut remaining_errors) = (Block::default(), 0);
@@ -724,8 +733,11 @@ impl<'a> Parser<'a> {
     /// Reads a number without an address. `00006`, the first word of a program, is a misread `O0006`.
     fn lone_number(&mut self, block: &mut Block, number: Number, span: Span) {
         let text = span.of(self.lexer.text());
-        let at_head =
-            !self.begun && block.words.is_empty() && block.sequence.is_none() && block.program.is_none();
+        let at_head = !self.begun
+            && !self.follows_block
+            && block.words.is_empty()
+            && block.sequence.is_none()
+            && block.program.is_none();
         // Four digits, such as `0101`, may also be a tool.
         let may_be_program =
             |text: &[u8]| text.len() >= 5 && text[0] == b'0' && Number::read(&text[1..]).digits <= DIGITS;
@@ -1050,7 +1062,11 @@ impl<'a> Parser<'a> {
             let after = self.lexer.position();
             let Some(token) = self.lexer.next_token() else { return end };
             match token.kind {
-                TokenKind::LineEnd | TokenKind::Semicolon | TokenKind::Comment | TokenKind::OpenComment => {
+                TokenKind::LineEnd
+                | TokenKind::Semicolon
+                | TokenKind::Comment
+                | TokenKind::NestedComment
+                | TokenKind::OpenComment => {
                     self.lexer.seek(after);
                     return end;
                 }
@@ -1081,7 +1097,8 @@ impl<'a> Parser<'a> {
     fn keep_marked_remark(&self, block: &mut Block, remark: Span, after_semicolon: bool) {
         let text = self.lexer.text();
         let Span { start: byte, .. } = block.span;
-        let here = Resume { byte, line: block.line, begun: self.begun, after_semicolon, ended: false };
+        let begun = self.begun || self.follows_block;
+        let here = Resume { byte, line: block.line, begun, after_semicolon, ..Resume::default() };
         let mut own =
             Parser { is_trial: self.is_trial, ..Parser::resume(&text[..remark.start as usize], here) };
         let mut rest = Block::default();
@@ -1133,14 +1150,16 @@ pub struct Resume {
     /// Its line, from 0.
     pub line: u32,
     begun: bool,
+    is_inside: bool,
     after_semicolon: bool,
     ended: bool,
 }
 
 impl Resume {
-    /// The first byte of a line within a program.
+    /// The first byte of a line within a text. A parser that starts there reads the blocks before it only to tell
+    /// whether there are any.
     pub fn inside(byte: u32, line: u32) -> Self {
-        Self { byte, line, begun: false, after_semicolon: false, ended: false }
+        Self { byte, line, is_inside: true, ..Self::default() }
     }
 
     /// The same position after a change of the text.
@@ -1153,6 +1172,17 @@ impl Resume {
     pub fn begins_line(&self) -> bool {
         !self.after_semicolon
     }
+}
+
+/// Whether a block with content precedes a byte.
+fn has_block_before(text: &[u8], byte: u32) -> bool {
+    if byte as usize >= LEADER {
+        return true;
+    }
+    let mut parser = Parser { is_trial: true, ..Parser::new(&text[..text.len().min(byte as usize)]) };
+    let mut block = Block::default();
+    while !parser.begun && parser.next_block(&mut block) {}
+    parser.begun
 }
 
 /// Start of the first `%` of a text, if the text before it is the leader of the tape, which a control skips
@@ -1543,6 +1573,28 @@ mod tests {
     fn macro_statements_and_class_notes_are_recognised() {
         assert_eq!(read("#1=2\nIF[#1 EQ 2]GOTO 10\nX#1 Z[#2+1] F1"), ["macro", "macro", "X# Z# F1"]);
         assert_eq!(read("[BILLET X62 Z70\nG0 X1"), ["", "G0 X1"]);
+    }
+
+    #[test]
+    fn a_block_reads_the_same_from_its_line_as_from_the_head() {
+        let text = "O0001\nN20 M08 coolant on\nM30\n";
+        let words = |at: Resume, before: usize| -> Vec<u8> {
+            let mut parser = Parser::resume(text.as_bytes(), at);
+            let mut block = Block::default();
+            (0..=before).for_each(|_| assert!(parser.next_block(&mut block)));
+            block.words.iter().map(|word| word.address).collect()
+        };
+        assert_eq!(words(Resume::default(), 1), b"M");
+        assert_eq!(words(Resume::inside(6, 1), 0), b"M");
+    }
+
+    #[test]
+    fn a_comment_in_a_comment_ends_an_expression() {
+        let mut parser = Parser::new(b"X#1 (A (B)) Z2");
+        let mut block = Block::default();
+        assert!(parser.next_block(&mut block));
+        let addresses: Vec<u8> = block.words.iter().map(|word| word.address).collect();
+        assert_eq!((&addresses[..], block.comments.len()), (&b"XZ"[..], 1));
     }
 
     #[test]
