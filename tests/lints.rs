@@ -4,6 +4,7 @@ use crate::fixtures;
 use crate::format;
 use gcode_playground::message::Diagnostic;
 use gcode_playground::run::{Analysis, Run};
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::{Lints, Setup};
 
 fn run(text: &[u8], setup: &Setup, lints: Lints) -> Analysis {
@@ -96,4 +97,91 @@ fn a_contour_holds_the_codes_of_its_system() {
     assert!(cycle.contains(&"contour-reaches-over-other-cycle"), "{cycle:?}");
     let of_a = reported("A", &program("G90 X40 Z-5").replace("G95", "G99"));
     assert!(of_a.contains(&"contour-reaches-over-other-cycle"), "{of_a:?}");
+}
+
+/// The messages of a program, with those of the machine.
+fn slugs(text: &str) -> Vec<String> {
+    let mut analysis = run(text.as_bytes(), &Setup::default(), Lints::On);
+    analysis.check_at_machine();
+    analysis.diagnostics.iter().map(|told| told.message.slug().to_owned()).collect()
+}
+
+/// A position to change the tool is usually within 500 mm; a longer one, or one towards the chuck, is not.
+#[test]
+fn a_small_part_may_be_left_by_far() {
+    let head = "O0001 (STOCK D=24 LENGTH=60)\nT0101\nG97 G99 S800 M03\nG00 X22 Z2\nG01 Z-20 F0.2\n";
+    let program = |rest: &str| slugs(&format!("{head}{rest}\nM30\n"));
+    assert_eq!(program("X24\nG00 X200 Z200"), [""; 0]);
+    assert_eq!(program("X24\nG00 X200 Z2000"), ["far-beyond-the-rest"]);
+    assert!(program("X24\nG00 X200 Z-900").contains(&"far-beyond-the-rest".to_owned()));
+}
+
+/// A hole of a live tool that does not turn has one message.
+#[test]
+fn a_live_tool_that_does_not_turn_is_reported_once() {
+    let hole = "O0001 (STOCK D=60 LENGTH=60)\n(TOOL T0303 TYPE=DRILL D=8)\nM45\nG28 H0\nT0303\nG00 X66 Z-30 C0\n\
+        G98 G87 Z-30 C0 X30 R-1 F80\nC90\nG80\nG00 X150 Z100\nM46\nM30\n";
+    assert_eq!(slugs(hole), ["live-tool-stopped", "cross-holes-left-out"]);
+}
+
+/// From X60 Z2 to X50 Z-20 with R-5.5 the cut is at X40 at the face: 5 mm deep in a bar of 50 mm. With R-2.2 from Z8
+/// it is 1 + 2.2 · 20/28 = 2.57 mm deep in a bar of 40 mm, less than 3 mm.
+#[test]
+fn the_depth_of_a_taper_is_that_at_the_face() {
+    let told = |text: &str| -> Vec<String> {
+        let analysis = run(text.as_bytes(), &Setup::default(), Lints::On);
+        let own = analysis.diagnostics.iter().filter(|told| told.message.slug() == "taper-first-pass-deep");
+        own.map(|told| told.message.sentence(Language::English).message).collect()
+    };
+    let deep = "O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X60 Z2\nG90 X50 Z-20 R-5.5 F0.2\nG00 X100 Z50\nM30\n";
+    assert_eq!(told(deep), ["This pass of the taper is 5 mm deep at its small end."]);
+    let shallow = "O0001 (STOCK D=40 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X44 Z8\nG90 X38 Z-20 R-2.2 F0.2\nG00 X100 Z50\nM30\n";
+    assert_eq!(told(shallow), [""; 0]);
+}
+
+/// A cut with the spindle stopped leaves its material: the way out of it has the same cause.
+#[test]
+fn a_cut_with_the_spindle_stopped_is_reported_once() {
+    let program = |stop: &str, rest: &str| {
+        slugs(&format!(
+            "O0001 (STOCK D=60 LENGTH=100 GRIP=25)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\nT0101\n\
+             G97 S800 M03\n{stop}\nG99 G00 X62 Z-1\nG01 X-1 F0.15\nG00 Z5\n{rest}X100 Z50\nM30\n"
+        ))
+    };
+    assert_eq!(program("M05", ""), ["cut-with-spindle-stopped"]);
+    // A crash after the spindle turns again is another fault.
+    let crash = "M03\nX62\nZ-30\nX40\nX62\n";
+    assert_eq!(
+        program("M05", crash),
+        ["cut-with-spindle-stopped", "rapid-through-stock", "rapid-through-stock"]
+    );
+    assert_eq!(program("", ""), [""; 0]);
+}
+
+/// With the wrong K the block before is not carried out; the I after it has the right letter and sign.
+#[test]
+fn a_wrong_corner_word_is_reported_once() {
+    let program = |first: &str| {
+        slugs(&format!(
+            "O0001 (STOCK D=44 LENGTH=80 GRIP=25)\nT0101\nG97 G99 S1000 M03\nG00 X34 Z2\nG01 Z-20 F0.15\n\
+             X42 {first}\nZ-35 I1\nX46\nG00 X100 Z50\nM30\n"
+        ))
+    };
+    assert_eq!(program("K-1"), [""; 0]);
+    assert_eq!(program("K1"), ["corner-axis", "not-checked-behind-fault"]);
+}
+
+/// With the start at Z10, the cuts of a cone go from Z15 and Z10 at the inner end to Z3 and Z-2 at the outer end:
+/// the second is the deeper one. Without R, a pass from Z-2 to Z0 is not.
+#[test]
+fn a_pass_is_compared_in_the_direction_of_the_infeed() {
+    let program = |passes: &str| {
+        let text = format!(
+            "O0001 (STOCK D=60 LENGTH=80 FACE=16)\nT0101\nG97 G99 S800 M03\nG00 X64 Z10\n{passes}\n\
+             G00 X100 Z50\nM30\n"
+        );
+        slugs(&text).contains(&"pass-not-deeper".to_owned())
+    };
+    assert!(!program("G94 X20 Z15 R-12 F0.1\nZ10"));
+    assert!(program("G94 X20 Z8 F0.1\nZ6\nZ7"));
 }

@@ -170,3 +170,17 @@ fn the_speed_of_a_thread_follows_the_machine() {
     assert!(said("THREADK=0").is_empty());
     assert_eq!(said("THREADK=100"), ["thread-spindle-too-fast"]);
 }
+
+/// G33 of GSK controls feeds in, reverses the spindle, and feeds out.
+#[test]
+fn the_tapping_cycle_of_gsk_turns_the_tap_out_itself() {
+    let setup = Setup::from_json(r#"{"dialect": {"control": "gsk"}}"#).expect("a setup");
+    let told = |program: &str| -> Vec<String> {
+        let analysis = analyze(program.as_bytes(), &setup);
+        analysis.diagnostics.iter().map(|told| told.message.slug().to_owned()).collect()
+    };
+    let head = "O0001 (STOCK D=40 BORE=8.5 LENGTH=60)\n(TOOL T0606 TYPE=TAP D=10)\nT0606\n";
+    let right = format!("{head}G97 S300 M03\nG00 X0 Z6\nG33 Z-20 F1.5\nG00 X100 Z100\nM30\n");
+    assert_eq!(told(&right), [""; 0]);
+    assert_eq!(told(&right.replace("G97 S300", "G50 S1000\nG96 S30")), ["tap-at-surface-speed"]);
+}

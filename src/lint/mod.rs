@@ -266,6 +266,7 @@ impl Lints {
         if let Some(diagnostic) = self.rotary.mills(block, self.spindle.unknown_m, at) {
             // It is reported for the live tool, so not for the spindle as well.
             self.spindle.stopped.suppress();
+            self.spindle.forget_stopped_move(block);
             reports.push(diagnostic);
         }
     }

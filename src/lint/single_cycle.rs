@@ -180,7 +180,8 @@ impl SingleCycles {
         let surface = before
             .map(|before| before.end.x + before.taper)
             .or(at.stock().map(|stock| start.x.min(stock.diameter.radius())));
-        if let Some(depth) = edge_depth(cycle, &own, surface, before.is_none()) {
+        let face = at.stock().map(|stock| stock.face);
+        if let Some(depth) = edge_depth(cycle, &own, surface, face, before.is_none()) {
             reports.push(Diagnostic::new(said::TaperEdge { depth }, block.words_span()));
         }
         let moved = match cycle {
@@ -288,33 +289,45 @@ fn pass_not_deeper(
         && (own.taper - before.taper).abs() <= LENGTH_TOLERANCE;
     let (deep, other, deepest) = match cycle {
         Single::Turning => {
-            let inward = (own.start.x - before.end.x).signum();
-            let deep = inward * (before.end.x - own.end.x);
+            let deep = own.end.x - before.end.x;
             (deep, (own.end.z - before.end.z).abs(), Diameter::from_radius(before.end.x).mm())
         }
-        Single::Facing => {
-            let inward = (own.start.z - before.end.z).signum();
-            (inward * (before.end.z - own.end.z), (own.end.x - before.end.x).abs(), before.end.z)
-        }
+        Single::Facing => (own.end.z - before.end.z, (own.end.x - before.end.x).abs(), before.end.z),
         Single::Threading => return None,
     };
     let axis = if cycle == Single::Facing { 'Z' } else { 'X' };
-    let side = |pass: &DeepestPass| match cycle {
-        Single::Facing => (pass.end.z - pass.start.z).signum(),
-        _ => (pass.end.x - pass.start.x).signum(),
+    // The direction of the infeed, if both ends of the cut are on the same side of the start.
+    let side = |pass: &DeepestPass| {
+        let infeed = match cycle {
+            Single::Facing => pass.end.z - pass.start.z,
+            _ => pass.end.x - pass.start.x,
+        };
+        let ends = [infeed, infeed + pass.taper];
+        let is_beyond = |sign: f64| ends.iter().all(|end| sign * end >= -LENGTH_TOLERANCE);
+        [-1.0, 1.0].into_iter().find(|&sign| is_beyond(sign))
     };
     let message = move |word| said::PassNotDeeper { word, axis, deepest }.into();
-    (same && side(own) == side(before) && other <= LENGTH_TOLERANCE && deep < -LENGTH_TOLERANCE)
-        .then_some(message)
+    let side = side(own).filter(|_| side(own) == side(before))?;
+    (same && other <= LENGTH_TOLERANCE && side * deep < -LENGTH_TOLERANCE).then_some(message)
 }
 
-/// Depth of the first pass of an outside taper at its thin end, if it is far deeper than a usual pass
-/// (radius, mm).
-fn edge_depth(cycle: Single, own: &DeepestPass, surface: Option<f64>, first: bool) -> Option<f64> {
+/// Depth of the first pass of an outside taper at its thin end, where it enters the blank, if it is far deeper
+/// than a usual pass (radius, mm).
+fn edge_depth(
+    cycle: Single,
+    own: &DeepestPass,
+    surface: Option<f64>,
+    face: Option<f64>,
+    first: bool,
+) -> Option<f64> {
     let outside = cycle == Single::Turning
         && own.taper < -LENGTH_TOLERANCE
         && own.end.x <= own.start.x + LENGTH_TOLERANCE;
-    let depth = surface? - (own.end.x + own.taper);
+    // The cut begins in front of the face.
+    let share = face
+        .filter(|face| (own.end.z..own.start.z).contains(face))
+        .map_or(1.0, |face| (face - own.end.z) / (own.start.z - own.end.z));
+    let depth = surface? - (own.end.x + share * own.taper);
     // A thick bar bears a deeper cut.
     let deepest = MAX_PASS_DEPTH.max(0.14 * surface?);
     (first && outside && depth > deepest).then_some(depth)

@@ -201,6 +201,11 @@ impl Spindle {
         }
     }
 
+    /// Does not report a block as a cut with the spindle stopped: another message has its cause.
+    pub fn forget_stopped_move(&mut self, block: &Block) {
+        self.stopped_move = self.stopped_move.filter(|still| still.block != block.span);
+    }
+
     /// Handles an M code. `is_known`: this control knows its meaning.
     pub fn m_code(
         &mut self,

@@ -89,6 +89,9 @@ struct Tap {
     turns_on: bool,
 }
 
+/// The code of the tapping cycle of GSK controls.
+const TAPPING_CYCLE: &str = "G33";
+
 /// The state of the lints for threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Threads {
@@ -130,14 +133,20 @@ impl Threads {
     /// Checks a cycle that taps a hole on the axis.
     pub fn tap_on_axis(&mut self, block: &Block, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         if at.state.spindle.surface && self.surface_speed.mark_reported() {
-            reports.push(Diagnostic::new(said::TapSurface, block.words_span()));
+            tap_at_surface_speed(block, at, reports);
         }
     }
 
-    /// Checks a cut of G32 to G34. `pass` is the same cut as a pass of a thread.
+    /// Checks a cut of G32 to G34. `pass` is the same cut as a pass of a thread. The tapping cycle of GSK controls
+    /// turns the tap out itself.
     pub fn cuts(&mut self, pass: &ThreadPass, code: &str, at: &EventContext, reports: &mut Vec<Diagnostic>) {
-        self.tap_moves(pass, at, reports);
-        if code != "G33" && !is_on_axis(pass.start, pass.end) {
+        let is_cycle = code == TAPPING_CYCLE;
+        if is_cycle {
+            tap_at_surface_speed(pass.block, at, reports);
+        } else {
+            self.tap_moves(pass, at, reports);
+        }
+        if !is_cycle && !is_on_axis(pass.start, pass.end) {
             self.pass(pass, at, reports);
         } else if pass.lead > *LEADS.end() {
             // The moves of an expanded hole cycle have the lead that results from its feed, however small.
@@ -155,10 +164,7 @@ impl Threads {
         let turn = at.state.spindle.turn;
         if end.z < start.z {
             self.tap = Some(Tap { turn, lead, turns_on: turn != SpindleTurn::Stopped });
-            if at.state.spindle.surface {
-                reports.push(Diagnostic::new(said::TapSurface, block.words_span()));
-            }
-            return;
+            return tap_at_surface_speed(block, at, reports);
         }
         let Some(tap) = self.tap.take() else { return };
         if tap.turn == turn && turn != SpindleTurn::Stopped {
@@ -254,6 +260,13 @@ impl Threads {
     /// Takes over the remarks that `other` has made.
     pub fn inherit_reported(&mut self, other: &Self) {
         self.surface_speed = other.surface_speed;
+    }
+}
+
+/// Reports a tap under constant surface speed: on the axis the spindle turns at its highest speed.
+fn tap_at_surface_speed(block: &Block, at: &EventContext, reports: &mut Vec<Diagnostic>) {
+    if at.state.spindle.surface {
+        reports.push(Diagnostic::new(said::TapSurface, block.words_span()));
     }
 }
 

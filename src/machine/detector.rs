@@ -81,6 +81,9 @@ pub struct DangerDetector {
     travel: Travel,
     missed: Vec<u16>,
     misuse: Misuse,
+    /// Whether a tool was fed into the material with the spindle stopped. Until the spindle turns, it leaves
+    /// through material that the cut should have removed, so its rapid moves are not reported.
+    stopped_inside: bool,
     /// The cuts of live tools.
     live_cuts: LiveCuts,
     /// Angle of C, degrees.
@@ -124,6 +127,7 @@ impl DangerDetector {
             travel: setup.machine.travel,
             missed: Vec::new(),
             misuse: Misuse::default(),
+            stopped_inside: false,
             live_cuts: LiveCuts::default(),
             c: 0.0,
             before: None,
@@ -195,10 +199,15 @@ impl DangerDetector {
             return;
         }
         part.end_thread(motion);
+        self.stopped_inside &= motion.process.still;
         match motion.kind {
+            MotionKind::Rapid if self.stopped_inside => {}
             MotionKind::Rapid => self.rapid(index, &known, tool, part),
-            // A gripper touches the workpiece.
-            _ if motion.process.still => {}
+            // A gripper only touches the workpiece.
+            _ if motion.process.still => {
+                let now = part.now();
+                self.stopped_inside |= tool.shape.solids().any(|solid| hit(now, solid, motion).is_some());
+            }
             _ => self.cut(index, motion, before.as_ref(), tool, part),
         }
     }

@@ -122,8 +122,8 @@ impl Interpreter {
         }
     }
 
-    /// Inserts the corner between a waiting move and the next one, whose start it may shorten. False: an
-    /// error was reported, and the waiting move is dropped.
+    /// Inserts the corner between a waiting move and the next one, whose start it may shorten. False: the
+    /// corner does not fit, and the waiting move is dropped; reported unless an earlier error explains it.
     fn put_corner_in(&mut self, pending: &Pending, joint: &Joint, next: &mut PathMove) -> bool {
         let first = piece(&pending.path_move.motion);
         let second = piece(&next.motion);
@@ -171,7 +171,10 @@ impl Interpreter {
                 true
             }
             Err(fault) => {
-                self.report_corner(joint, fault);
+                // After an earlier error the move before the corner may not be the programmed one.
+                if !pending.path_move.motion.process.uncertain {
+                    self.report_corner(joint, fault);
+                }
                 // The start of an arc stays on its circle.
                 if next.motion.center.is_none() {
                     next.motion.from = pending.path_move.motion.from;

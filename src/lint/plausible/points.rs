@@ -9,6 +9,9 @@ use crate::order;
 use crate::setup::dialect::DecimalRule;
 use crate::units::Diameter;
 
+/// Usual distance of a position to change the tool, at most, mm.
+const FARTHEST_RETRACT: f64 = 500.0;
+
 impl Program<'_> {
     /// Reports a leading zero in a number without a point: `F02`, `R05`.
     pub(super) fn leading_zeros(&self) -> Vec<Diagnostic> {
@@ -147,6 +150,8 @@ impl Program<'_> {
                 true => (2.0 * cut + 50.0, cut),
                 false => (3.0 * next + 50.0, next),
             };
+            // A position to change the tool is far away from a small part.
+            let limit = if !cuts && place > 0.0 { limit.max(FARTHEST_RETRACT) } else { limit };
             if others().count() < 2 || place.abs() <= limit {
                 continue;
             }
