@@ -461,7 +461,7 @@ impl Current {
     }
 
     /// Makes the chosen annotations of the finished run. `asked`: the place of the cursor, and the execution of
-    /// its block.
+    /// its block; otherwise those of a cycle are at the tool.
     pub fn annotate(&mut self, asked: Option<(u32, &Found)>) {
         let annotations = match self.view_state.annotate {
             Annotate::None => Vec::new(),
@@ -471,8 +471,9 @@ impl Current {
             }),
             Annotate::Cycle => {
                 let first = || figures::first_cycle(&self.run).filter(|_| self.view_state.cursor.is_none());
-                let byte = asked.map(|(byte, _)| byte).or_else(first);
-                byte.map_or_else(Vec::new, |byte| figures::of_cycle(&mut self.run, byte))
+                let at_cursor = asked.map(|(byte, _)| byte);
+                let byte = at_cursor.or_else(|| self.cycle_at_step()).or_else(first);
+                byte.map_or_else(Vec::new, |byte| figures::of_cycle(&mut self.run, byte).annotations)
             }
             Annotate::Part => self.machined_part().map_or_else(Vec::new, |machined| {
                 let dimensions = |part| figures::of_part(part, machined.threads(), self.run.motions());
@@ -480,6 +481,16 @@ impl Current {
             }),
         };
         self.section_mut().annotations = annotations;
+        let milled = self.moves(Plane::Face).filter(|_| self.view_state.annotate == Annotate::Cycle);
+        let letters = milled.map_or_else(Vec::new, figures::of_face);
+        self.view_state.views[Plane::Face].annotations = letters;
+    }
+
+    /// The first byte of the block that calls the cycle whose motion the tool has just finished.
+    fn cycle_at_step(&self) -> Option<u32> {
+        let motion = self.section().playhead?.motion;
+        let motions = self.run.motions();
+        motions.glance(motion).is_of_cycle.then(|| motions.span(motion).start)
     }
 
     /// Marks the stroke under the pointer.

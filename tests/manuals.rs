@@ -237,6 +237,23 @@ fn embed_writes_an_element_with_its_program_and_its_picture() {
     assert!(!text(&code.stdout).contains("<svg"));
 }
 
+#[test]
+fn the_picture_of_an_element_has_its_annotations() {
+    let program = "O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X52 Z2\nG90 X46 Z-25 F0.2\nG00 X100 Z50\nM30\n";
+    let page = |choice: &str| {
+        let annotate = format!("annotate={choice}");
+        let output = run(&["embed", "-", "--attribute", &annotate], program.as_bytes());
+        text(&output.stdout).to_owned()
+    };
+    let has = |page: &str, label: &str| page.contains(&format!(">{label}</text>"));
+    // From A (X52) to C (X46): 3 mm on the radius, and 27 mm along Z.
+    let cycle = page("cycle");
+    assert!(["A", "B", "C", "D", "U/2 = −3", "W = −27"].iter().all(|label| has(&cycle, label)), "{cycle}");
+    let part = page("part");
+    assert!(["Ø46", "25"].iter().all(|label| has(&part, label)) && !has(&part, "A"), "{part}");
+    assert!(!page("word").contains("annotations"));
+}
+
 /// The pages shown by `tests/browser/manuals.spec.ts` are the output of `embed`; `UPDATE_EXPECT=1` writes
 /// them.
 #[test]

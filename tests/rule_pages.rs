@@ -245,13 +245,13 @@ fn a_small_difference_from_the_corrected_part_is_marked() {
     let page = &rules.iter().find(|rule| rule.slug == "taper-not-extended").expect("its page").page;
     let setup = Setup::from_json(&page.setup).expect("its setup");
     let [wrong, right] = [&page.wrong, &page.right].map(|text| Outcome::of(text, &setup, None));
-    let picture = wrong.picture(Some(&right)).expect("a picture");
+    let picture = wrong.picture(Some(&right), None).expect("a picture");
     assert_eq!(picture.marked, Marked::Difference);
     let marks = |svg: &str| svg.matches(r#"class="only first""#).count();
     assert!(marks(&picture.svg) > 0, "{}", picture.svg);
     // The corrected part has nothing to mark, and neither has a part compared with itself.
-    assert_eq!(right.picture(None).expect("a picture").marked, Marked::Nothing);
-    let itself = wrong.picture(Some(&wrong)).expect("a picture");
+    assert_eq!(right.picture(None, None).expect("a picture").marked, Marked::Nothing);
+    let itself = wrong.picture(Some(&wrong), None).expect("a picture");
     assert_eq!((itself.marked, marks(&itself.svg)), (Marked::Nothing, 0));
 }
 

@@ -7,9 +7,10 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand};
 
 use super::options::{
-    ControlName, Destination, FigureName, Form, Input, LanguageName, Texts, TurretName, ViewName, With,
+    ControlName, Destination, Form, Input, LanguageName, Texts, TurretName, ViewName, With,
 };
 use super::{check, clean, configuration, diff, embed};
+use crate::export::figure::Subject;
 use crate::export::file::FileFormat;
 
 /// A lathe G-code playground: toolpaths and messages for FANUC and GSK turning programs.
@@ -136,8 +137,8 @@ pub(super) enum Command {
         #[arg(long, value_enum)]
         turret: Option<TurretName>,
         /// Dimensions and letters over the half-section: `cycle` or `cycle:LINE`, `part`, or `word:LINE:COLUMN`.
-        #[arg(long, value_parser = FigureName::parse)]
-        figure: Option<FigureName>,
+        #[arg(long, value_parser = Subject::parse)]
+        figure: Option<Subject>,
         /// Draw for a printed page, in black and without rulers; the value is the width on paper in mm.
         #[arg(long, value_parser = clap::value_parser!(u16).range(40..=400))]
         print: Option<u16>,

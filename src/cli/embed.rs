@@ -17,8 +17,9 @@ use super::manual_page::{self, Base, Page};
 use super::options::{Destination, LanguageName, TurretName, With};
 use super::system::print_error_line;
 use super::{
-    NAME, Program, Status, counted, encoding, export, print, read, run_text, save, save_apart, status,
+    NAME, Program, Status, counted, encoding, figure_options, print, read, run_text, save, save_apart, status,
 };
+use crate::export::figure::Subject;
 use crate::limits;
 use crate::message::Edit;
 use crate::rewrite::applied;
@@ -215,12 +216,19 @@ fn picture(program: &Program, attributes: &Attributes) -> String {
         Some("rear") => TurretName::Rear.turret(),
         _ => program.analysis.setup.machine.turret,
     };
-    let mut options = SvgOptions { x_plus: turret.into(), ..export::svg_options(program, language) };
+    // The element draws the cycle or the part; the word at the cursor is chosen by the reader.
+    let figure = match attributes.get("annotate") {
+        Some("cycle") => Some(Subject::Cycle { line: None }),
+        Some("part") => Some(Subject::Part),
+        _ => None,
+    };
+    let simulation = program.analysis.simulate();
+    let mut options =
+        SvgOptions { x_plus: turret.into(), ..figure_options(program, &simulation, figure, language) };
     let caption = attributes.get("caption").filter(|caption| !caption.is_empty());
     if let (Some(under), Some(caption)) = (&mut options.caption, caption) {
         caption.clone_into(&mut under.title);
     }
-    let simulation = program.analysis.simulate();
     let svg = scene::svg::section(&program.analysis.motions, Some(&simulation), &options);
     // Limits the width to that of the column.
     svg.replacen("<svg ", r#"<svg slot="fallback" style="max-width:100%;height:auto" "#, 1)

@@ -35,6 +35,7 @@ use clap::Parser;
 use serde::Serialize;
 
 use crate::api;
+use crate::export::figure::Subject;
 use crate::export::file::FileFormat;
 use crate::figures;
 use crate::limits;
@@ -47,17 +48,16 @@ use crate::scene::face::Face;
 use crate::scene::ruler::Scale;
 use crate::scene::side::Side;
 use crate::scene::surface_moves::SurfaceMoves;
-use crate::scene::svg::{Contents, Passes, SvgOptions};
+use crate::scene::svg::SvgOptions;
 use crate::scene::work::Work;
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, GSystem};
-use crate::source::LineIndex;
 
 use arguments::{Arguments, Command};
 use configuration::Configurations;
 use encoding::Encoding;
-use options::{FigureName, Format, Input, TurretName, ViewName, With};
+use options::{Format, Input, TurretName, ViewName, With};
 pub use status::Status;
 use system::{Stream, print_error_line};
 
@@ -251,44 +251,38 @@ fn svg(
     program: &Program,
     view: ViewName,
     turret: Option<TurretName>,
-    figure: Option<FigureName>,
+    figure: Option<Subject>,
     print: Option<u16>,
 ) -> Result<String, String> {
     let Analysis { motions, setup, .. } = &program.analysis;
     let turret = turret.map_or(setup.machine.turret, TurretName::turret);
     let simulation = program.analysis.simulate();
-    let of_surface = |moves: &SurfaceMoves, work: Option<Work>| {
+    let of_surface = |moves: &SurfaceMoves, work: Option<Work>, annotations: Vec<Annotation>| {
         let scale = Scale::of(program.analysis.unit);
         scene::svg::svg(
             &moves.scene(work.as_ref()),
-            &on_paper(print, SvgOptions { width: 720.0, scale, ..SvgOptions::default() }),
+            &on_paper(print, SvgOptions { width: 720.0, scale, annotations, ..SvgOptions::default() }),
         )
     };
     match view {
         ViewName::Section => {
             let options = SvgOptions {
                 x_plus: turret.into(),
-                contents: if figure == Some(FigureName::Part) { Contents::Part } else { Contents::All },
-                passes: match figure {
-                    Some(FigureName::Cycle { .. }) => Passes::Figure,
-                    // A dimension is true only between passes in place.
-                    Some(FigureName::Word { .. }) => Passes::InPlace,
-                    Some(FigureName::Part) | None => Passes::Apart,
-                },
-                annotations: figure.map_or_else(Vec::new, |figure| annotations(program, &simulation, figure)),
-                ..export::svg_options(program, Language::English)
+                ..figure_options(program, &simulation, figure, Language::English)
             };
             Ok(scene::svg::section(motions, Some(&simulation), &on_paper(print, options)))
         }
         ViewName::Face => {
             let face = Face::of(motions, &simulation)
                 .ok_or_else(|| format!("{}: nothing is milled or drilled on the end face", program.name))?;
-            Ok(of_surface(face.moves(), face.work(&simulation, None)))
+            let is_figure = matches!(figure, Some(Subject::Cycle { .. }));
+            let annotations = if is_figure { figures::of_face(face.moves()) } else { Vec::new() };
+            Ok(of_surface(face.moves(), face.work(&simulation, None), annotations))
         }
         ViewName::Side => {
             let side = Side::of(motions, &simulation)
                 .ok_or_else(|| format!("{}: nothing is milled or drilled on the side", program.name))?;
-            Ok(of_surface(side.moves(), side.work(&simulation, None)))
+            Ok(of_surface(side.moves(), side.work(&simulation, None), Vec::new()))
         }
     }
 }
@@ -301,32 +295,22 @@ fn on_paper(print: Option<u16>, options: SvgOptions) -> SvgOptions {
     }
 }
 
-/// The annotations of a figure.
-fn annotations(program: &Program, simulation: &SimulationResult, figure: FigureName) -> Vec<Annotation> {
-    let finished = || {
+/// The options of a section with the annotations of a figure.
+fn figure_options(
+    program: &Program,
+    simulation: &SimulationResult,
+    figure: Option<Subject>,
+    language: Language,
+) -> SvgOptions {
+    let options = export::svg_options(program, language);
+    let run = || {
         let mut run = Run::new(program.text.clone(), program.analysis.setup.clone());
         while !run.advance(usize::MAX) {}
         run
     };
-    let line_of = |run: &Run, line: u32| {
-        let lines = LineIndex::new(run.text());
-        lines.line(run.text(), (line - 1).min(lines.len() - 1))
-    };
     match figure {
-        FigureName::Word { line, column } => {
-            let mut run = finished();
-            let line = line_of(&run, line);
-            figures::of_word(&mut run, (line.start + column - 1).min(line.end))
-        }
-        FigureName::Cycle { line } => {
-            let mut run = finished();
-            let byte = match line {
-                Some(line) => Some(line_of(&run, line).start),
-                None => figures::first_cycle(&run),
-            };
-            byte.map_or_else(Vec::new, |byte| figures::of_cycle(&mut run, byte))
-        }
-        FigureName::Part => figures::of_finished(simulation, &program.analysis.motions),
+        None => options,
+        Some(subject) => subject.options(options, run, simulation, &program.analysis.motions),
     }
 }
 

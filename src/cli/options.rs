@@ -125,37 +125,6 @@ pub(super) enum ViewName {
     Side,
 }
 
-/// The annotations of a drawing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum FigureName {
-    /// The letters and dimensions of a cycle: the one in a line, from 1, or the first.
-    Cycle { line: Option<u32> },
-    /// The dimensions of the finished part.
-    Part,
-    /// The dimension of the word at a place: line and column, from 1.
-    Word { line: u32, column: u32 },
-}
-
-impl FigureName {
-    /// Parses `cycle`, `cycle:LINE`, `part` or `word:LINE:COLUMN`.
-    pub(super) fn parse(text: &str) -> Result<Self, String> {
-        let number = |text: &str| text.parse().ok().filter(|number| *number > 0);
-        let mut parts = text.split(':');
-        let figure = match (parts.next(), parts.next(), parts.next(), parts.next()) {
-            (Some("cycle"), None, None, None) => Some(Self::Cycle { line: None }),
-            (Some("cycle"), Some(line), None, None) => {
-                number(line).map(|line| Self::Cycle { line: Some(line) })
-            }
-            (Some("part"), None, None, None) => Some(Self::Part),
-            (Some("word"), Some(line), Some(column), None) => {
-                number(line).zip(number(column)).map(|(line, column)| Self::Word { line, column })
-            }
-            _ => None,
-        };
-        figure.ok_or_else(|| "expected cycle, cycle:LINE, part or word:LINE:COLUMN".to_owned())
-    }
-}
-
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum TurretName {
     Rear,

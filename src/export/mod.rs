@@ -7,6 +7,7 @@
 pub mod card;
 pub mod csv;
 pub mod dxf;
+pub mod figure;
 pub mod file;
 pub mod profile;
 pub mod stl;

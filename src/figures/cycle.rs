@@ -3,11 +3,13 @@
 //! In: the blocks of the cycle with their execution, and the motions. Out: annotations. Points are named as in
 //! FANUC B-64304 and GSK 980TD: A start, B and C the ends of the cut, A′ and B the ends of a contour.
 
+use std::ops::Range;
+
 use crate::assist::Query;
 use crate::control::contour::Landmarks;
 use crate::geometry::Point;
 use crate::motion::{Cycle, Motion, Motions, Step};
-use crate::scene::annotation::{Annotation, Detail, Importance, Label, Measure, Shape};
+use crate::scene::annotation::{Annotation, Detail, Importance, Measure, Shape};
 use crate::source::Span;
 
 /// The steps of a single cycle.
@@ -44,23 +46,22 @@ pub fn letters(asked: &Query, motions: &Motions, landmarks: &[Landmarks]) -> Vec
             }
             points.extend(step(Step::Approach).map(|approach| (approach.to, "C")));
         }
+        // B has the X, C the Z of the end point D.
         Cycle::FacePecking | Cycle::Grooving => {
-            let cut = |motion: Option<&Motion>| motion.map(|cut| cut.to);
-            if let (Some(first), Some(deepest)) = (step(Step::Cut), cut(last(Step::Cut))) {
-                let side = if cycle == Cycle::Grooving {
-                    Point::new(first.from.x, deepest.z)
-                } else {
-                    Point::new(deepest.x, first.from.z)
-                };
-                points.push((side, "B"));
-                points.push((deepest, "C"));
+            if let Some(end) = last(Step::Cut).map(|cut| cut.to) {
+                points.push((Point::new(end.x, start.z), "B"));
+                points.push((Point::new(start.x, end.z), "C"));
+                points.push((end, "D"));
             }
         }
+        // D is the programmed end point; a chamfer leaves the thread before it.
         Cycle::MultiThreading => {
             points.extend(step(Step::Cut).map(|cut| (cut.from, "B")));
             points.extend(last(Step::Cut).map(|cut| (cut.from, "C")));
-            points.extend(last(Step::Cut).map(|cut| (cut.to, "D")));
-            points.extend(last(Step::Retract).map(|retract| (retract.to, "E")));
+            if let Some((cut, out)) = last(Step::Cut).zip(last(Step::Retract)) {
+                points.push((Point::new(cut.to.x, out.to.z), "D"));
+                points.push((out.to, "E"));
+            }
         }
         _ => {}
     }
@@ -76,6 +77,112 @@ pub fn letters(asked: &Query, motions: &Motions, landmarks: &[Landmarks]) -> Vec
     }
     named.extend(steps);
     named
+}
+
+/// The distances from A to C: U/2 and W of a single cycle, also if the block has X and Z; in the pattern of G73 the
+/// relief with the allowance. `all`: the annotations of the block, which may have them already.
+pub fn distances(asked: &Query, motions: &Motions, all: &[Annotation]) -> Vec<Annotation> {
+    let Some(visit) = asked.visit.filter(|visit| !visit.motions.is_empty()) else { return Vec::new() };
+    let own = || visit.motions.clone().take(MAX_MOTIONS).map(|index| motions.get_on_workpiece(index));
+    let first = motions.get_on_workpiece(visit.motions.start);
+    let ends_at = |wanted: Step| own().find(|motion| motion.cycle.is_some_and(|own| own.step == wanted));
+    let (names, end) = match first.cycle.map(|step| step.cycle) {
+        Some(Cycle::Turning | Cycle::Facing | Cycle::Threading) => (["U/2", "W"], ends_at(Step::Cut)),
+        Some(Cycle::Pattern) => (["Δi + Δu/2", "Δk + Δw"], ends_at(Step::Approach)),
+        _ => return Vec::new(),
+    };
+    let Some(end) = end.map(|motion| motion.to) else { return Vec::new() };
+    let (x, z) = (end.x - first.from.x, end.z - first.from.z);
+    // Beside the end of the cut, and above the way back: there are no other strokes.
+    let start = first.from;
+    let across = Shape::Radial([Point::new(start.x, end.z), end]);
+    let shapes = [(across, x), (Shape::Axial([start, Point::new(start.x, end.z)]), z)];
+    let missing = names.into_iter().zip(shapes).filter(|(name, (shape, _))| {
+        shape.is_visible() && !all.iter().any(|other| other.label.name == *name)
+    });
+    missing.map(|(name, (shape, mm))| Annotation::dimension(shape, name, Measure::Length(mm))).collect()
+}
+
+/// Numbers the passes of G73, whose number is no length: `1` at the first one, `d = 10` at the last one.
+pub fn with_pass_numbers(mut all: Vec<Annotation>, asked: &Query, motions: &Motions) -> Vec<Annotation> {
+    let is_count = |own: &Annotation| matches!(own.label.value, Some(Measure::Count(_)));
+    let Some(count) = all.iter().find(|own| is_count(own)).map(|own| own.label.clone()) else { return all };
+    let passes = contour_of(asked, motions);
+    let longest = |pass: u32| {
+        let own = passes.iter().filter(|motion| motion.arc().is_none() && pass_of(motion) == pass);
+        own.max_by(|a, b| a.length().total_cmp(&b.length()))
+    };
+    let numbers = passes.iter().map(pass_of);
+    let ends = [numbers.clone().min(), numbers.max()].map(|pass| longest(pass?));
+    let [Some(first), Some(last)] = ends else { return all };
+    all.retain(|own| !is_count(own) && own.label.name != "Δi" && own.label.name != "Δk");
+    all.push(Annotation::step([first.from, first.to], "1"));
+    let shape = Shape::Step([last.from, last.to]);
+    all.push(Annotation { shape, label: count, importance: Importance::Usual });
+    all
+}
+
+/// The motions along the contour of roughing.
+fn contour_of(asked: &Query, motions: &Motions) -> Vec<Motion> {
+    let own = asked.visit.map_or(0..0, |visit| visit.motions.clone());
+    let own = own.take(MAX_MOTIONS).map(|index| motions.get_on_workpiece(index));
+    own.filter(|motion| motion.cycle.is_some_and(|own| own.step == Step::Contour)).collect()
+}
+
+fn pass_of(motion: &Motion) -> u32 {
+    motion.cycle.map_or(0, |own| own.pass)
+}
+
+/// Replaces the allowances of roughing, which are too small to be seen, by a detail of a corner of the contour: the
+/// last roughing pass and the finished contour.
+pub fn with_allowance(mut all: Vec<Annotation>, asked: &Query, motions: &Motions) -> Vec<Annotation> {
+    let length = |name: &str| match all.iter().find(|own| own.label.name == name)?.label.value {
+        Some(Measure::Length(mm)) => Some(mm),
+        _ => None,
+    };
+    let (x, z) = (length("Δu/2").unwrap_or(0.0), length("Δw").unwrap_or(0.0));
+    let largest = x.abs().max(z.abs());
+    let contour = contour_of(asked, motions);
+    let last = contour.last().map_or(0, pass_of);
+    let pieces: Vec<&Motion> = contour.iter().filter(|motion| pass_of(motion) == last).collect();
+    // Only a corner between two axes shows both.
+    let along_x = |motion: &Motion| (motion.to.z - motion.from.z).abs() < SAME_DEPTH;
+    let along_z = |motion: &Motion| (motion.to.x - motion.from.x).abs() < SAME_DEPTH;
+    let is_corner = |pair: &&[&Motion]| {
+        let [one, other] = [pair[0], pair[1]];
+        let is_straight = one.arc().is_none() && other.arc().is_none();
+        is_straight && (along_x(one) && along_z(other) || along_z(one) && along_x(other))
+    };
+    let shortest = |pair: &[&Motion]| pair[0].length().min(pair[1].length());
+    let corners = pieces.windows(2).filter(is_corner);
+    let Some(pair) = corners.max_by(|a, b| shortest(a).total_cmp(&shortest(b))) else { return all };
+    let reach = shortest(pair).min(4.0 * largest);
+    if largest < SAME_DEPTH || reach < 2.0 * largest {
+        return all;
+    }
+    let corner = pair[0].to;
+    let arm = |motion: &Motion, end: Point| {
+        let share = reach / motion.length();
+        Point::new(corner.x + share * (end.x - corner.x), corner.z + share * (end.z - corner.z))
+    };
+    let arms = [arm(pair[0], pair[0].from), arm(pair[1], pair[1].to)];
+    let finished = |at: Point| Point::new(at.x - x, at.z - z);
+    let rough = vec![arms[0], corner, arms[1]];
+    let lines = vec![rough.iter().copied().map(finished).collect(), rough];
+    let [level, upright] = if along_z(pair[0]) { arms } else { [arms[1], arms[0]] };
+    let near = |at: Point| Point::new(0.7 * at.x + 0.3 * corner.x, 0.7 * at.z + 0.3 * corner.z);
+    let (level, upright) = (near(level), near(upright));
+    let dimensions = [
+        (Shape::Radial([level, Point::new(level.x - x, level.z)]), "Δu/2", x),
+        (Shape::Axial([upright, Point::new(upright.x, upright.z - z)]), "Δw", z),
+    ];
+    let dimensions = dimensions.into_iter().filter(|(shape, ..)| shape.is_visible());
+    let annotations: Vec<Annotation> =
+        dimensions.map(|(shape, name, mm)| Annotation::dimension(shape, name, Measure::Length(mm))).collect();
+    all.retain(|own| own.label.name != "Δu/2" && own.label.name != "Δw");
+    let detail = Detail { at: corner, radius: reach, lines, annotations };
+    all.push(Annotation::detail(detail));
+    all
 }
 
 /// The dimensions of all words of a block.
@@ -94,7 +201,7 @@ pub fn dimensions(asked: &Query, motions: &Motions) -> Vec<Annotation> {
 }
 
 /// Replaces the depths of the passes of G76 by a detail of the groove with each pass, the infeed law √n.
-pub fn with_detail(mut all: Vec<Annotation>, asked: &Query, motions: &Motions) -> Vec<Annotation> {
+pub fn with_infeed(mut all: Vec<Annotation>, asked: &Query, motions: &Motions) -> Vec<Annotation> {
     let own = asked.visit.map_or(0..0, |visit| visit.motions.clone());
     let cuts: Vec<Motion> = own
         .take(MAX_MOTIONS)
@@ -105,8 +212,7 @@ pub fn with_detail(mut all: Vec<Annotation>, asked: &Query, motions: &Motions) -
         .collect();
     let Some(detail) = infeed(&all, &cuts) else { return all };
     all.retain(|annotation| !DEPTHS.contains(&annotation.label.name));
-    let label = Label::default();
-    all.push(Annotation { shape: Shape::Detail(Box::new(detail)), label, importance: Importance::Usual });
+    all.push(Annotation::detail(detail));
     all
 }
 
@@ -168,7 +274,9 @@ fn infeed(all: &[Annotation], cuts: &[Motion]) -> Option<Detail> {
     }
     if let Some(least) = length("Δd min") {
         let is_least = |pair: &&[Point]| ((pair[0].x - pair[1].x).abs() - least).abs() < SAME_DEPTH;
-        annotations.extend(tips.windows(2).find(is_least).map(|pair| between(pair, "Δd min")));
+        // The last infeed is the finishing allowance, which may be as large.
+        let before_last = &tips[..tips.len().saturating_sub(1)];
+        annotations.extend(before_last.windows(2).find(is_least).map(|pair| between(pair, "Δd min")));
     }
     if length("d").is_some() {
         annotations.extend(tips.windows(2).last().map(|pair| between(pair, "d")));
@@ -180,6 +288,27 @@ fn infeed(all: &[Annotation], cuts: &[Motion]) -> Option<Detail> {
     }
     let at = Point::new((crest + last.x) / 2.0, (left + right) / 2.0);
     Some(Detail { at, radius: ((right - left) / 2.0).max(0.6 * height), lines, annotations })
+}
+
+/// The motions that the figure of a cycle shows: those of the calls of the cycle before and after `first`, and of the
+/// finishing that follows roughing.
+pub fn shown(motions: &Motions, first: usize) -> Vec<Range<usize>> {
+    let cycle = |index: usize| motions.get(index).cycle.map(|step| step.cycle);
+    let own = cycle(first);
+    let end_of = |from: usize, own: Option<Cycle>| {
+        (from..motions.len()).find(|&index| cycle(index) != own).unwrap_or(motions.len())
+    };
+    let before = (first.saturating_sub(MAX_MOTIONS)..first).rev().take_while(|&index| cycle(index) == own);
+    let calls = before.last().unwrap_or(first)..end_of(first, own);
+    let finishing = match own {
+        Some(Cycle::RoughTurning | Cycle::RoughFacing | Cycle::Pattern) => {
+            let next = (calls.end..motions.len()).find(|&index| cycle(index).is_some());
+            next.filter(|&index| cycle(index) == Some(Cycle::Finishing))
+        }
+        _ => None,
+    };
+    let finishing = finishing.map(|index| index..end_of(index, Some(Cycle::Finishing)));
+    [calls].into_iter().chain(finishing).collect()
 }
 
 /// Depths that differ by less, mm, are the same.

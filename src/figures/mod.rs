@@ -4,21 +4,31 @@
 //! values come from the run, so they follow every edit. Must not know canvases or a language.
 
 mod cycle;
+mod face;
 pub mod measure;
+mod nose;
 mod part;
+mod speeds;
 mod word;
 
+pub use face::of_face;
+pub use nose::of_nose;
 pub use part::of_part;
+pub use speeds::of_speeds;
+
+use std::ops::Range;
 
 use crate::assist::Query;
 use crate::assist::form::Form;
 use crate::control::codes::cycles::CycleBlock;
+use crate::geometry::Point;
 use crate::machine::SimulationResult;
 use crate::machine::feature::threads;
+use crate::machine::resolved_setup::Basis;
 use crate::motion::Motions;
 use crate::run::Run;
 use crate::run::replay::{Found, VisitChoice};
-use crate::scene::annotation::Annotation;
+use crate::scene::annotation::{Annotation, Importance};
 use crate::source::LineIndex;
 use crate::text::parser::Resume;
 
@@ -45,15 +55,24 @@ pub fn at_cursor(asked: &Query, byte: u32, motions: &Motions) -> Vec<Annotation>
     hover.map_or_else(Vec::new, |hover| asked.annotations(&hover, motions))
 }
 
+/// The figure of a cycle.
+#[derive(Clone, Debug, Default)]
+pub struct Figure {
+    /// Letters, steps and dimensions.
+    pub annotations: Vec<Annotation>,
+    /// The motions that a picture of the cycle alone shows.
+    pub motions: Vec<Range<usize>>,
+}
+
 /// The figure of the cycle that the block at a byte calls: its letters, and the dimensions of its words, also of
 /// its first block in the line before. Empty if the block calls none.
-pub fn of_cycle(run: &mut Run, byte: u32) -> Vec<Annotation> {
-    let Some(found) = replay(run, byte) else { return Vec::new() };
+pub fn of_cycle(run: &mut Run, byte: u32) -> Figure {
+    let Some(found) = replay(run, byte) else { return Figure::default() };
     let block = found.block(run);
     let asked = Query::new(run, &found, &block);
     let mut all = cycle::letters(&asked, run.motions(), run.landmarks());
     if all.is_empty() {
-        return all;
+        return Figure::default();
     }
     all.extend(cycle::dimensions(&asked, run.motions()));
     let lines = LineIndex::new(run.text());
@@ -71,7 +90,31 @@ pub fn of_cycle(run: &mut Run, byte: u32) -> Vec<Annotation> {
         }
     }
     let asked = Query::new(run, &found, &block);
-    cycle::with_detail(all, &asked, run.motions())
+    let motions = run.motions();
+    all.extend(cycle::distances(&asked, motions, &all));
+    for with_more in [cycle::with_pass_numbers, cycle::with_allowance, cycle::with_infeed] {
+        all = with_more(all, &asked, motions);
+    }
+    // Zero of the program.
+    all.push(Annotation { importance: Importance::Low, ..Annotation::point(Point::default(), "O") });
+    let first = asked.visit.map_or(0, |visit| visit.motions.start);
+    Figure { annotations: all, motions: cycle::shown(motions, first) }
+}
+
+/// The insert of the tool of a figure at the start of its first cut, if the setup has the tool.
+pub fn of_tool(
+    simulation: &SimulationResult,
+    motions: &Motions,
+    shown: &[Range<usize>],
+) -> Option<Annotation> {
+    let cuts = shown.iter().flat_map(Clone::clone).map(|index| motions.get_on_workpiece(index));
+    let first = cuts.into_iter().find(|motion| motion.kind.cuts())?;
+    let tool = simulation.resolved_setup().tool(&first);
+    if tool.basis != Basis::Given {
+        return None;
+    }
+    let edge = tool.shape.edge.points();
+    Some(Annotation::outline(edge.iter().map(|corner| corner.moved(first.from)).collect()))
 }
 
 /// The first byte of the block that calls the first cycle of a program that has finished.
@@ -116,7 +159,7 @@ mod tests {
             G74 U-10 W-14 P2000 Q5000 F0.1\nM30\n",
         "G00 X42 Z22 M03 S500\nG75 R1\nG75 X30 Z10 P3000 Q2900 R0.3 F0.1\nG00 X42 Z22\n\
             G75 U-12 W-12 P3000 Q2900 F0.1\nM30\n",
-        "G00 X60 Z10 M03 S300\nG76 P011060 Q100 R0.1\nG76 X33.8 Z-60 R-1 P2400 Q700 F4\nG00 X60 Z10\n\
+        "G00 X60 Z10 M03 S300\nG76 P011060 Q250 R0.1\nG76 X33.8 Z-60 R-1 P2400 Q700 F4\nG00 X60 Z10\n\
             G76 U-26.2 W-70 P2400 Q700 F4\nM30\n",
     ];
 

@@ -10,7 +10,7 @@ use crate::assist::fact::Quantity;
 use crate::assist::hover::Hover;
 use crate::control::codes::role::Role;
 use crate::geometry::Point;
-use crate::motion::{Motion, MotionKind, Motions, Step};
+use crate::motion::{Cycle, Motion, MotionKind, Motions, Step};
 use crate::run::replay::Visit;
 use crate::scene::annotation::{Annotation, Measure, Shape};
 use crate::units::Diameter;
@@ -182,7 +182,11 @@ impl Own {
             }
             Escape => {
                 let escape = self.step(Step::Escape)?;
-                let mut all = word(Shape::Radial([escape.from, escape.to]), "e", value?);
+                let ends = [escape.from, escape.to];
+                // From the bottom of the pass.
+                let is_facing = escape.cycle.is_some_and(|own| own.cycle == Cycle::RoughFacing);
+                let shape = if is_facing { Shape::Axial(ends) } else { Shape::Radial(ends) };
+                let mut all = word(shape, "e", value?);
                 all.extend(angle(escape.from, escape.to));
                 all
             }
@@ -253,7 +257,8 @@ impl Own {
                 let cuts: Vec<Motion> = self.steps(Step::Cut).copied().collect();
                 let depth = |pair: &[Motion]| (pair[0].from.x - pair[1].from.x).abs();
                 let is_reached = |pair: &&[Motion]| (depth(pair) - value.unwrap_or(0.0)).abs() < SAME_VALUE;
-                let pair = cuts.windows(2).find(is_reached)?;
+                // The last infeed is the finishing allowance, which may be as large.
+                let pair = cuts[..cuts.len().saturating_sub(1)].windows(2).find(is_reached)?;
                 word(Shape::Radial([pair[0].from, pair[1].from]), "Δd min", value?)
             }
             ThreadAllowance => {
@@ -350,18 +355,21 @@ impl Own {
         }
     }
 
-    /// The middle of the longest piece along the contour in the direction of an axis; without such a piece, the
-    /// end of the contour.
+    /// The middle of the longest piece of the last pass along the contour in the direction of an axis; without such a
+    /// piece, the end of the contour.
     fn middle_of_contour(&self, axis: Along) -> Option<Point> {
         let length = |motion: &Motion| match axis {
             Along::X => (motion.to.x - motion.from.x).abs(),
             Along::Z => (motion.to.z - motion.from.z).abs(),
         };
-        let pieces =
-            self.steps(Step::Contour).filter(|motion| motion.arc().is_none() && along(motion) == axis);
+        let last = self.steps(Step::Contour).next_back()?;
+        let pass = |motion: &Motion| motion.cycle.map(|own| own.pass);
+        let pieces = self
+            .steps(Step::Contour)
+            .filter(|motion| pass(motion) == pass(last) && motion.arc().is_none() && along(motion) == axis);
         let longest = pieces.max_by(|a, b| length(a).total_cmp(&length(b)));
         let middle = longest.map(|piece| halfway(piece.from, piece.to));
-        middle.or_else(|| self.steps(Step::Contour).next_back().map(|last| last.to))
+        Some(middle.unwrap_or(last.to))
     }
 
     /// The starts of the first and the last pass of G73.

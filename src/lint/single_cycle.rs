@@ -182,6 +182,7 @@ impl SingleCycles {
             .or(at.stock().map(|stock| start.x.min(stock.diameter.radius())));
         let face = at.stock().map(|stock| stock.face);
         if let Some(depth) = edge_depth(cycle, &own, surface, face, before.is_none()) {
+            let depth = (10.0 * depth).round() / 10.0;
             reports.push(Diagnostic::new(said::TaperEdge { depth }, block.words_span()));
         }
         let moved = match cycle {

@@ -67,6 +67,8 @@ pub enum Shape {
     Step([Point; 2]),
     /// A detail at a larger scale.
     Detail(Box<Detail>),
+    /// The outline of a tool, without a label.
+    Outline(Vec<Point>),
 }
 
 /// A part of the picture that is drawn again at a larger scale, in a free area.
@@ -85,7 +87,7 @@ pub struct Detail {
 /// Which labels are placed first. A lower importance is omitted first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Importance {
-    /// May be omitted.
+    /// May be omitted, and has no arrow at the border if its place is outside the picture.
     Low,
     /// Omitted only after all others.
     Usual,
@@ -146,6 +148,18 @@ impl Annotation {
         Self { shape: Shape::Note(at), label, importance: Importance::Usual }
     }
 
+    /// A detail with its own dimensions.
+    pub fn detail(detail: Detail) -> Self {
+        let shape = Shape::Detail(Box::new(detail));
+        Self { shape, label: Label::default(), importance: Importance::Usual }
+    }
+
+    /// The outline of a tool.
+    pub fn outline(corners: Vec<Point>) -> Self {
+        let shape = Shape::Outline(corners);
+        Self { shape, label: Label::default(), importance: Importance::Usual }
+    }
+
     /// A named point of a cycle.
     pub fn point(at: Point, name: &'static str) -> Self {
         let label = Label { name, value: None };
@@ -165,14 +179,16 @@ impl Shape {
             | Self::Step(_)
             | Self::Radius { .. }
             | Self::Angle { .. }
-            | Self::Detail(_) => true,
+            | Self::Detail(_)
+            | Self::Outline(_) => true,
         }
     }
 
-    /// The same shape with its points elsewhere; a detail is not displaced.
+    /// The same shape with its points elsewhere; details and outlines are not displaced.
     pub fn map(&self, place: impl Fn(Point) -> Point) -> Self {
         match *self {
             Self::Detail(ref detail) => Self::Detail(detail.clone()),
+            Self::Outline(ref corners) => Self::Outline(corners.clone()),
             Self::Point(at) => Self::Point(place(at)),
             Self::Axial(ends) => Self::Axial(ends.map(place)),
             Self::Radial(ends) => Self::Radial(ends.map(place)),
@@ -197,6 +213,7 @@ impl Shape {
     pub fn points(&self) -> Vec<Point> {
         match *self {
             Self::Detail(ref detail) => vec![detail.at],
+            Self::Outline(ref corners) => corners.clone(),
             Self::Point(at) | Self::Note(at) => vec![at],
             Self::Axial(ends) | Self::Radial(ends) | Self::Step(ends) => ends.to_vec(),
             Self::Diameter(at) | Self::DiameterThrough(at) => vec![at, Point::new(-at.x, at.z)],

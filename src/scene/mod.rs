@@ -24,6 +24,7 @@ pub mod ruler;
 mod seam;
 pub mod side;
 pub mod source;
+pub mod speed_chart;
 pub mod steps;
 pub mod surface_moves;
 pub mod svg;

@@ -103,6 +103,20 @@ impl Occupied {
         rows.into_iter().all(|row| columns.clone().all(|column| !self.cells[row * self.columns + column]))
     }
 
+    /// Whether most of a line lies on what is drawn.
+    pub fn covers(&self, from: Pixel, to: Pixel) -> bool {
+        let size = [self.columns as f64 * CELL, self.rows as f64 * CELL];
+        let Some([from, to]) = clipped(from, to, size) else { return false };
+        let steps = (from.distance(to) / CELL).ceil().max(1.0) as usize;
+        let is_drawn = |step: &usize| {
+            let share = *step as f64 / steps as f64;
+            let [x, y] = [from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)];
+            let (column, row) = ((x / CELL) as usize, (y / CELL) as usize);
+            column < self.columns && row < self.rows && self.cells[row * self.columns + column]
+        };
+        2 * (0..=steps).filter(is_drawn).count() > steps
+    }
+
     fn outlines(&mut self, outlines: impl Iterator<Item = Vec<Point>>, plane: Plane, camera: &Camera) {
         for outline in outlines {
             for side in plane.sides() {

@@ -46,7 +46,7 @@ palette! {
     /// Tick labels.
     text "text": "#5a656e", "#97a4b0";
     /// The blank where material has been removed.
-    stock "stock": "#f5f3ec", "#1b2026";
+    stock "stock": "#f5f3ec", "#252c33";
     /// Outline of the blank.
     stock_edge "stockEdge": "#b9b09a", "#555e66";
     /// The part.

@@ -10,7 +10,7 @@ use super::annotation::{Annotation, Detail, Importance, Shape};
 use super::camera::{Camera, Pixel};
 use super::occupied::{Occupied, Rectangle};
 use crate::geometry::bounds::Bounds;
-use crate::geometry::{Point, within};
+use crate::geometry::{Point, SAME, within};
 use crate::units::Unit;
 
 /// Height of a label, CSS pixels.
@@ -28,9 +28,10 @@ pub const NEXT: f64 = 18.0;
 /// Number of distances that are tried, and of those that are tried outside before any inside.
 const TRIES: usize = 14;
 const OUTSIDE: usize = 4;
-/// Number of candidates whose label may be moved: of the first, and of the last.
+/// Number of candidates whose label may be moved.
 const MOVED: usize = 12;
-const LAST: usize = 8;
+/// A label at most this far from its dimension line, stroke or point needs no leader line, CSS pixels.
+const ADJACENT: f64 = 6.0;
 /// Length of an extension line beyond its dimension line, and its distance from the point.
 const BEYOND: f64 = 4.0;
 const GAP: f64 = 2.0;
@@ -82,7 +83,7 @@ pub struct Placed {
 /// The estimated width of a text in the font of labels, CSS pixels; a little more than the true one.
 pub fn text_width(text: &str) -> f64 {
     let width = |character: char| match character {
-        '①'..='④' => 1.05,
+        '①'..='⑳' => 1.05,
         '.' | ',' | '′' | ' ' | '°' | 'i' | 'l' => 0.36,
         'Δ' | 'm' | 'M' | 'W' | 'Ø' | '=' | '−' => 0.84,
         _ if character as u32 >= 0x2e80 => 1.05,
@@ -116,10 +117,12 @@ fn place_in(
         rows: Vec::new(),
         placed: Placed::default(),
     };
-    // Details first: they need the largest areas.
+    // Outlines have a fixed place. Details need the largest areas.
     for annotation in annotations {
-        if let Shape::Detail(detail) = &annotation.shape {
-            placing.add_detail(detail);
+        match &annotation.shape {
+            Shape::Outline(corners) => placing.add_outline(corners),
+            Shape::Detail(detail) => placing.add_detail(detail),
+            _ => {}
         }
     }
     for importance in [Importance::Required, Importance::Usual, Importance::Low] {
@@ -157,16 +160,29 @@ struct Candidate {
     dots: Vec<Pixel>,
     /// The area of the label.
     area: Rectangle,
+    /// The line that a leader may touch: the stroke, or a point twice; `None` for the dimension line.
+    feature: Option<[Pixel; 2]>,
+}
+
+/// The ways to draw an annotation, the best first.
+struct Candidates {
+    /// As a dimension, with its arrows.
+    full: Vec<Candidate>,
+    /// Only a leader to the label.
+    notes: Vec<Candidate>,
 }
 
 impl Placing<'_> {
     fn add(&mut self, annotation: &Annotation) {
-        if let Shape::Detail(_) = annotation.shape {
+        if let Shape::Detail(_) | Shape::Outline(_) = annotation.shape {
             return;
         }
         let text = annotation.label.text(self.unit);
         let size = size_of(&text);
         if let Some((at, towards)) = self.direction_outside(&annotation.shape) {
+            if annotation.importance == Importance::Low {
+                return;
+            }
             let candidate = self.beyond_border(at, towards, size);
             return match self.is_possible(&candidate) || annotation.importance == Importance::Required {
                 true => self.draw(candidate, text),
@@ -184,29 +200,35 @@ impl Placing<'_> {
             self.rows.push((format!("{number}: {text}"), self.placed.labels.len() - 1));
             return;
         }
-        let first = self.candidates(&annotation.shape, size).into_iter().next();
+        let Candidates { full, notes } = self.candidates(&annotation.shape, size);
+        let first = full.into_iter().chain(notes).next();
         match first.filter(|_| annotation.importance == Importance::Required) {
             Some(first) => self.draw(self.moved_inside(first, size), text),
             None => self.placed.omitted.push(text),
         }
     }
 
-    /// The best way to draw an annotation with a label of a size, at last with a leader line.
+    /// The best way to draw an annotation with a label of a size: as a dimension, if necessary with a leader line to
+    /// its label; otherwise as a note.
     fn found(&self, shape: &Shape, size: [f64; 2]) -> Option<Candidate> {
-        let candidates = self.candidates(shape, size);
-        let possible = |is_strict: bool| {
-            candidates.iter().position(|candidate| {
-                self.is_possible(candidate) && !(is_strict && self.crosses_dimension(candidate))
-            })
-        };
-        match possible(true).or_else(|| possible(false)) {
-            Some(index) => candidates.into_iter().nth(index),
-            None => self.with_leader(candidates, size),
-        }
+        let Candidates { full, notes } = self.candidates(shape, size);
+        [full, notes].into_iter().find_map(|candidates| {
+            let possible = |is_strict: bool| {
+                candidates.iter().position(|candidate| {
+                    self.is_possible(candidate) && !(is_strict && self.is_confusing(candidate))
+                })
+            };
+            match possible(true).or_else(|| possible(false)) {
+                Some(index) => candidates.into_iter().nth(index),
+                None => {
+                    candidates.into_iter().take(MOVED).find_map(|candidate| self.with_leader(candidate, size))
+                }
+            }
+        })
     }
 
     fn draw(&mut self, candidate: Candidate, text: String) {
-        let Candidate { lines, extensions, heads, dots, area } = candidate;
+        let Candidate { lines, extensions, heads, dots, area, .. } = candidate;
         self.dimension_lines.extend(lines.iter().cloned());
         self.extensions.extend(extensions.iter().cloned());
         self.placed.lines.extend(lines);
@@ -260,12 +282,23 @@ impl Placing<'_> {
 
     /// Whether the label meets nothing, and no line meets a label or lies on another dimension line.
     fn is_possible(&self, candidate: &Candidate) -> bool {
-        let coincides =
-            |line: &Vec<Pixel>| self.dimension_lines.iter().any(|other| run_together(line, other));
         self.is_free(&candidate.area)
             && !candidate.extensions.iter().any(|line| crosses(line, &candidate.area))
-            && !self.meet_label(candidate.lines.iter().chain(&candidate.extensions))
+            && self.has_free_lines(candidate)
+    }
+
+    /// Whether no line meets a label or lies on another dimension line.
+    fn has_free_lines(&self, candidate: &Candidate) -> bool {
+        let coincides =
+            |line: &Vec<Pixel>| self.dimension_lines.iter().any(|other| run_together(line, other));
+        !self.meet_label(candidate.lines.iter().chain(&candidate.extensions))
             && !candidate.lines.iter().any(coincides)
+    }
+
+    /// Whether a dimension line lies on a stroke or an edge, or crosses an extension line of another dimension.
+    fn is_confusing(&self, candidate: &Candidate) -> bool {
+        let mut ends = candidate.lines.iter().filter_map(|line| Some([*line.first()?, *line.last()?]));
+        ends.any(|[from, to]| self.occupied.covers(from, to)) || self.crosses_dimension(candidate)
     }
 
     /// Whether a dimension line crosses an extension line of another dimension.
@@ -325,11 +358,24 @@ impl Placing<'_> {
             heads: vec![head(tail, tip)],
             dots: Vec::new(),
             area: Rectangle::around(middle, size[0], size[1]),
+            feature: None,
         }
+    }
+
+    fn add_outline(&mut self, corners: &[Point]) {
+        let closed = corners.iter().chain(corners.first());
+        self.placed.lines.push(closed.map(|at| self.camera.to_screen(*at)).collect());
     }
 
     /// A circle around the detail, and its drawing in a free area, at the largest scale that fits.
     fn add_detail(&mut self, detail: &Detail) {
+        let middle = self.camera.to_screen(detail.at);
+        let radius = (detail.radius * self.camera.scale()).max(LEAST_CIRCLE);
+        let circle = (0..=32).map(|step| {
+            let (sin, cos) = (f64::from(step) * std::f64::consts::TAU / 32.0).sin_cos();
+            Pixel::new(middle.x + radius * cos, middle.y + radius * sin)
+        });
+        self.placed.lines.push(circle.collect());
         let mut sizes = detail_sizes(detail, self.camera.scale());
         let Some((scale, area)) = sizes.find_map(|(scale, size)| Some((scale, self.free_area(size)?))) else {
             self.placed.omitted.push(DETAIL_NAME.to_owned());
@@ -337,7 +383,9 @@ impl Placing<'_> {
         };
         let mut camera = *self.camera;
         camera.zoom(scale, camera.to_screen(detail.at));
-        let (from, to) = (camera.to_screen(detail.at), area.middle());
+        let Bounds { min, max } = bounds_of(detail);
+        let middle = Point::new((min.x + max.x) / 2.0, (min.z + max.z) / 2.0);
+        let (from, to) = (camera.to_screen(middle), area.middle());
         camera.pan(to.x - from.x, to.y - from.y);
         let screen = |line: &Vec<Point>| line.iter().map(|at| camera.to_screen(*at)).collect();
         let lines: Vec<Vec<Pixel>> = detail.lines.iter().map(screen).collect();
@@ -347,20 +395,13 @@ impl Placing<'_> {
         let mut placed = place_in(room, &detail.annotations, &occupied, &camera, self.unit);
         let text = format!("{DETAIL_NAME} ×{scale}");
         let [width, height] = size_of(&text);
-        let title = Rectangle { min: area.min, max: Pixel::new(area.min.x + width, area.min.y + height) };
+        let title = Rectangle::around(Pixel::new(area.middle().x, area.min.y + height / 2.0), width, height);
         placed.labels.push(PlacedLabel { text, area: title });
         self.placed.lines.extend(lines.into_iter().chain(placed.lines));
         self.placed.heads.extend(placed.heads);
         self.placed.dots.extend(placed.dots);
         self.placed.labels.extend(placed.labels);
         self.placed.omitted.extend(placed.omitted);
-        let middle = self.camera.to_screen(detail.at);
-        let radius = (detail.radius * self.camera.scale()).max(LEAST_CIRCLE);
-        let circle = (0..=32).map(|step| {
-            let (sin, cos) = (f64::from(step) * std::f64::consts::TAU / 32.0).sin_cos();
-            Pixel::new(middle.x + radius * cos, middle.y + radius * sin)
-        });
-        self.placed.lines.push(circle.collect());
         self.add(&Annotation::note(detail.at, DETAIL_NAME));
     }
 
@@ -380,82 +421,99 @@ impl Placing<'_> {
         areas.find(|area| self.is_free(area))
     }
 
-    /// The ways to draw an annotation, the best first; the last ones are leaders without arrows.
-    fn candidates(&self, shape: &Shape, size: [f64; 2]) -> Vec<Candidate> {
+    fn candidates(&self, shape: &Shape, size: [f64; 2]) -> Candidates {
         let screen = |at: Point| self.camera.to_screen(at);
-        match *shape {
-            Shape::Detail(_) => Vec::new(),
-            Shape::Point(at) => around_point(screen(at), size, true),
-            Shape::Note(at) => around_point(screen(at), size, false),
+        let note = |at: Point| around_point(screen(at), size, false);
+        let (full, notes) = match *shape {
+            Shape::Detail(_) | Shape::Outline(_) => (Vec::new(), Vec::new()),
+            Shape::Point(at) => (self.letters(screen(at), size), Vec::new()),
+            Shape::Note(at) => (Vec::new(), note(at)),
             Shape::Axial(ends) => {
                 let out = self.camera.upward().signum();
-                let note = around_point(screen(ends[1]), size, false);
-                [dimension_lines(ends.map(screen), size, out), note].concat()
+                (dimension_lines(ends.map(screen), size, out), note(ends[1]))
             }
             Shape::Radial(ends) => {
-                let [from, to] = ends.map(screen);
-                let middle = Pixel::new((from.x + to.x) / 2.0, (from.y + to.y) / 2.0);
-                [dimension_columns([from, to], size), around_point(middle, size, false)].concat()
+                let is_on_axis = ends.map(|at| at.x.abs() < SAME);
+                let middle = Point::new((ends[0].x + ends[1].x) / 2.0, (ends[0].z + ends[1].z) / 2.0);
+                (dimension_columns(ends.map(screen), is_on_axis, size), note(middle))
             }
-            Shape::Diameter(at) => self.across(at, size, FIRST),
-            Shape::DiameterThrough(at) => self.across(at, size, 0.0),
-            Shape::Step(ends) => beside(ends.map(screen), size),
-            Shape::Radius { center, on } => {
-                [radii(screen(center), screen(on), size), around_point(screen(on), size, false)].concat()
+            Shape::Diameter(at) => (self.across(at, size, FIRST), note(at)),
+            Shape::DiameterThrough(at) => (self.across(at, size, 0.0), note(at)),
+            Shape::Step(ends) => (beside(ends.map(screen), size), Vec::new()),
+            Shape::Radius { center, on } => (radii(screen(center), screen(on), size), note(on)),
+            Shape::Angle { vertex, base, end } => {
+                (angles([vertex, base, end].map(screen), size), note(vertex))
             }
-            Shape::Angle { vertex, base, end } => angles([vertex, base, end].map(screen), size),
+        };
+        Candidates { full, notes }
+    }
+
+    /// A letter beside its point; with a leader line if another point is so near that the letters could be confused.
+    fn letters(&self, at: Pixel, size: [f64; 2]) -> Vec<Candidate> {
+        let mut all = around_point(at, size, true);
+        if self.placed.dots.iter().any(|other| other.distance(at) < BESIDE) {
+            all.retain(|candidate| !candidate.lines.is_empty());
         }
+        all
     }
 
-    /// Lines across the axis, or else a leader to the contour.
+    /// Lines across the axis.
     fn across(&self, at: Point, size: [f64; 2], first: f64) -> Vec<Candidate> {
-        let ends = [at, Point::new(-at.x, at.z)].map(|at| self.camera.to_screen(at));
-        [diameters(ends, size, first), around_point(ends[0], size, false)].concat()
+        diameters([at, Point::new(-at.x, at.z)].map(|at| self.camera.to_screen(at)), size, first)
     }
 
-    /// One of the first candidates, with its label at the nearest free place and a leader line to it.
-    fn with_leader(&self, candidates: Vec<Candidate>, size: [f64; 2]) -> Option<Candidate> {
-        let notes = candidates.len().saturating_sub(LAST).max(MOVED);
-        let (first, last) = (0..MOVED, notes..candidates.len());
-        let mut candidates: Vec<Option<Candidate>> = candidates.into_iter().map(Some).collect();
-        first.chain(last).filter_map(|index| candidates.get_mut(index)?.take()).find_map(|candidate| {
-            let lines = candidate.lines.iter().chain(&candidate.extensions);
-            if self.meet_label(lines) {
-                return None;
-            }
-            let anchor = candidate.area.middle();
-            let own: Vec<&Vec<Pixel>> = candidate.lines.iter().chain(&candidate.extensions).collect();
-            let (area, leader) = self.nearest_free(anchor, size, &own)?;
-            let mut lines = candidate.lines;
-            // None if the label only had to move a little.
-            if leader[0] != leader[1] {
-                lines.push(leader);
-            }
-            Some(Candidate { lines, area, ..candidate })
-        })
+    /// A candidate with its label at the nearest free place, and a leader line from its dimension line, stroke or
+    /// point to the label.
+    fn with_leader(&self, candidate: Candidate, size: [f64; 2]) -> Option<Candidate> {
+        // The gap for the label is closed.
+        let lines = match &candidate.lines[..] {
+            [first, last] => vec![vec![*first.first()?, *last.last()?]],
+            // The leader of a note is drawn anew.
+            _ if candidate.feature.is_some() && candidate.heads.is_empty() => Vec::new(),
+            _ => candidate.lines.clone(),
+        };
+        let feature = match candidate.feature {
+            Some(feature) => feature,
+            None => middle_part(lines.first()?)?,
+        };
+        let candidate = Candidate { lines, ..candidate };
+        if !self.has_free_lines(&candidate) {
+            return None;
+        }
+        let (area, leader) = self.nearest_free(&candidate, feature, size)?;
+        Some(Candidate { lines: [candidate.lines, leader].concat(), area, ..candidate })
     }
 
-    /// The free area for a label that is nearest to its usual place, and the leader line to it. `own`: the lines of
-    /// the same annotation.
+    /// The free area for a label that is nearest to its usual place, and the leader line to it from `feature`, if one is
+    /// needed.
     fn nearest_free(
         &self,
-        anchor: Pixel,
+        candidate: &Candidate,
+        feature: [Pixel; 2],
         size: [f64; 2],
-        own: &[&Vec<Pixel>],
-    ) -> Option<(Rectangle, Vec<Pixel>)> {
-        let rings = (1..24).flat_map(|ring| (0..16).map(move |turn| (f64::from(ring), f64::from(turn))));
+    ) -> Option<(Rectangle, Vec<Vec<Pixel>>)> {
+        let usual = candidate.area.middle();
+        let own = || candidate.lines.iter().chain(&candidate.extensions);
+        let rings = (0..24).flat_map(|ring| (0..16).map(move |turn| (f64::from(ring), f64::from(turn))));
         rings
             .map(|(ring, turn)| {
                 let (sin, cos) = (turn * std::f64::consts::TAU / 16.0 + 0.4).sin_cos();
-                let middle = Pixel::new(anchor.x + 14.0 * ring * cos, anchor.y - 14.0 * ring * sin);
+                let middle = Pixel::new(usual.x + 14.0 * ring * cos, usual.y - 14.0 * ring * sin);
                 let area = Rectangle::around(middle, size[0], size[1]);
-                let leader = vec![anchor, area.nearest(anchor)];
-                (area, leader)
+                let from = nearest_on(feature, middle);
+                (area, [from, area.nearest(from)])
             })
-            .find(|(area, leader)| {
-                self.is_free(area)
-                    && !own.iter().any(|line| crosses(line, area))
-                    && !self.meet_label([leader].into_iter())
+            .find_map(|(area, leader)| {
+                let is_possible = self.is_free(&area) && !own().any(|line| crosses(line, &area));
+                let length = leader[0].distance(leader[1]);
+                if !is_possible || length <= ADJACENT {
+                    return is_possible.then(|| (area, Vec::new()));
+                }
+                let line = leader.to_vec();
+                let is_clear = is_slanted(leader)
+                    && !self.meet_label(std::iter::once(&line))
+                    && !own().any(|other| do_cross(&line, other));
+                is_clear.then(|| (area, vec![line]))
             })
     }
 
@@ -473,7 +531,7 @@ impl Placing<'_> {
 /// The scales of a detail that are small enough, the largest first, each with the size of the drawing and its labels,
 /// CSS pixels; `scale`: that of the picture.
 pub fn detail_sizes(detail: &Detail, scale: f64) -> impl Iterator<Item = (f64, [f64; 2])> {
-    let bounds = detail.lines.iter().flatten().fold(Bounds::of(detail.at), |bounds, at| bounds.with(*at));
+    let bounds = bounds_of(detail);
     let own = [bounds.length() * scale, bounds.height() * scale];
     let sizes = DETAIL_SCALES.into_iter().map(move |factor| (factor, own.map(|length| factor * length)));
     sizes.filter(|(_, size)| size[0] <= DETAIL_SIZE[0] && size[1] <= DETAIL_SIZE[1]).map(
@@ -482,6 +540,10 @@ pub fn detail_sizes(detail: &Detail, scale: f64) -> impl Iterator<Item = (f64, [
             (factor, [width + 2.0 * beside, height + 2.0 * around])
         },
     )
+}
+
+fn bounds_of(detail: &Detail) -> Bounds {
+    detail.lines.iter().flatten().fold(Bounds::of(detail.at), |bounds, at| bounds.with(*at))
 }
 
 /// The middle of a label that begins where a line in the direction `towards` ends.
@@ -510,7 +572,8 @@ fn around_point(at: Pixel, size: [f64; 2], dot: bool) -> Vec<Candidate> {
             let area = Rectangle::around(middle, size[0], size[1]);
             let lines = if distance > BESIDE || !dot { vec![vec![at, area.nearest(at)]] } else { Vec::new() };
             let dots = if dot { vec![at] } else { Vec::new() };
-            all.push(Candidate { lines, extensions: Vec::new(), heads: Vec::new(), dots, area });
+            let feature = Some([at, at]);
+            all.push(Candidate { lines, extensions: Vec::new(), heads: Vec::new(), dots, area, feature });
         }
     }
     all
@@ -528,12 +591,15 @@ fn beside([from, to]: [Pixel; 2], size: [f64; 2]) -> Vec<Candidate> {
                 from.y + share * (to.y - from.y) - away * unit.x,
             );
             let area = Rectangle::around(middle, size[0], size[1]);
+            let at =
+                |share: f64| Pixel::new(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
             all.push(Candidate {
                 lines: Vec::new(),
                 extensions: Vec::new(),
                 heads: Vec::new(),
                 dots: Vec::new(),
                 area,
+                feature: Some([at(0.25), at(0.75)]),
             });
         }
     }
@@ -559,36 +625,40 @@ fn dimension_lines([a, b]: [Pixel; 2], size: [f64; 2], out: f64) -> Vec<Candidat
         for (middle, lines, heads) in line_with_label(ends, right - left, size[0], Pixel::new(1.0, 0.0)) {
             let area = Rectangle::around(middle, size[0], size[1]);
             let extensions = extensions.to_vec();
-            all.push(Candidate { lines, extensions, heads, dots: Vec::new(), area });
+            all.push(Candidate { lines, extensions, heads, dots: Vec::new(), area, feature: None });
         }
     }
     all
 }
 
-/// Vertical dimension lines to the right and left of two points.
-fn dimension_columns([a, b]: [Pixel; 2], size: [f64; 2]) -> Vec<Candidate> {
+/// Vertical dimension lines to the right and left of two points. `is_on_axis`: these have no extension line, which
+/// would hide the centre line.
+fn dimension_columns([a, b]: [Pixel; 2], is_on_axis: [bool; 2], size: [f64; 2]) -> Vec<Candidate> {
     let mut all = Vec::new();
     let (top, bottom) = (a.y.min(b.y), a.y.max(b.y));
     for step in 0..TRIES {
         for side in [1.0, -1.0] {
             let base = if side < 0.0 { a.x.min(b.x) } else { a.x.max(b.x) };
             let x = base + side * (FIRST + NEXT * step as f64);
-            let extensions = [a, b].map(|at| {
-                let toward = (x - at.x).signum();
-                vec![Pixel::new(at.x + GAP * toward, at.y), Pixel::new(x + BEYOND * toward, at.y)]
-            });
+            let extensions = [(a, is_on_axis[0]), (b, is_on_axis[1])].into_iter().filter(|(_, is_on)| !is_on);
+            let extensions: Vec<Vec<Pixel>> = extensions
+                .map(|(at, _)| {
+                    let toward = (x - at.x).signum();
+                    vec![Pixel::new(at.x + GAP * toward, at.y), Pixel::new(x + BEYOND * toward, at.y)]
+                })
+                .collect();
             let ends = [Pixel::new(x, top), Pixel::new(x, bottom)];
             for (middle, lines, heads) in line_with_label(ends, bottom - top, size[1], Pixel::new(0.0, 1.0)) {
                 let area = Rectangle::around(middle, size[0], size[1]);
                 let extensions = extensions.to_vec();
-                all.push(Candidate { lines, extensions, heads, dots: Vec::new(), area });
+                all.push(Candidate { lines, extensions, heads, dots: Vec::new(), area, feature: None });
             }
             // Beside the line, on the side away from the points.
             let beside = Pixel::new(x + side * (size[0] / 2.0 + 4.0), (top + bottom) / 2.0);
             let (lines, heads) = arrows(ends, Pixel::new(0.0, 1.0));
             let area = Rectangle::around(beside, size[0], size[1]);
             let extensions = extensions.to_vec();
-            all.push(Candidate { lines, extensions, heads, dots: Vec::new(), area });
+            all.push(Candidate { lines, extensions, heads, dots: Vec::new(), area, feature: None });
         }
     }
     all
@@ -618,6 +688,7 @@ fn diameters(ends: [Pixel; 2], size: [f64; 2], first: f64) -> Vec<Candidate> {
                         heads: heads.clone(),
                         dots: Vec::new(),
                         area,
+                        feature: None,
                     });
                 }
             }
@@ -644,6 +715,7 @@ fn radii(center: Pixel, on: Pixel, size: [f64; 2]) -> Vec<Candidate> {
                 heads: vec![head(tail, on)],
                 dots: Vec::new(),
                 area,
+                feature: Some([tail, tail]),
             });
         }
     }
@@ -680,11 +752,10 @@ fn angles([vertex, base, end]: [Pixel; 3], size: [f64; 2]) -> Vec<Candidate> {
                 heads: heads.clone(),
                 dots: Vec::new(),
                 area,
+                feature: Some([arc[6], arc[6]]),
             });
         }
     }
-    // Without room for the arc, only its value.
-    all.extend(around_point(end, size, false));
     all
 }
 
@@ -749,6 +820,28 @@ fn do_cross(a: &[Pixel], b: &[Pixel]) -> bool {
 /// The ends of a line with two corners.
 fn ends_of(line: &[Pixel]) -> Option<[Pixel; 2]> {
     line.try_into().ok()
+}
+
+/// The part of a line that a leader may touch: not its arrows.
+fn middle_part(line: &[Pixel]) -> Option<[Pixel; 2]> {
+    let (from, to) = (line.first()?, line.last()?);
+    let at = |share: f64| Pixel::new(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
+    Some([at(0.35), at(0.65)])
+}
+
+/// The point of a straight line that is nearest to `at`.
+fn nearest_on([from, to]: [Pixel; 2], at: Pixel) -> Pixel {
+    let (x, y) = (to.x - from.x, to.y - from.y);
+    let square = x * x + y * y;
+    let share = if square < 1e-9 { 0.0 } else { ((at.x - from.x) * x + (at.y - from.y) * y) / square };
+    let share = within(share, 0.0, 1.0);
+    Pixel::new(from.x + share * x, from.y + share * y)
+}
+
+/// Whether a leader is neither level nor upright: those could be taken for strokes and dimension lines (ISO 128-22).
+fn is_slanted([from, to]: [Pixel; 2]) -> bool {
+    let unit = direction(from, to);
+    unit.x.abs().min(unit.y.abs()) > 0.12
 }
 
 /// The unit vector from one position to another.

@@ -51,6 +51,11 @@ pub enum Axis {
         /// The radius at which angles are unrolled, mm.
         radius: f64,
     },
+    /// Along the left edge of the chart of speeds: spindle speed in rpm.
+    Speed {
+        /// Speed for each mm of the picture, rpm.
+        scale: f64,
+    },
 }
 
 impl Axis {
@@ -62,6 +67,7 @@ impl Axis {
             Self::FaceC => "C",
             Self::Y => "Y",
             Self::Around { .. } => return "C °".to_owned(),
+            Self::Speed { .. } => return "n".to_owned(),
         };
         format!("{letter} {unit}")
     }
@@ -77,6 +83,7 @@ impl Axis {
             Self::X | Self::FaceX => Diameter::from_radius(1.0).mm(),
             Self::Z | Self::FaceC | Self::Y => 1.0,
             Self::Around { radius } => return radius.recip().to_degrees(),
+            Self::Speed { scale } => return scale,
         };
         across / unit.millimetres()
     }
@@ -86,7 +93,7 @@ impl Axis {
     fn read(self, steps: i64) -> i64 {
         match self {
             Self::X => steps.abs(),
-            Self::Z | Self::FaceX | Self::FaceC | Self::Y | Self::Around { .. } => steps,
+            Self::Z | Self::FaceX | Self::FaceC | Self::Y | Self::Around { .. } | Self::Speed { .. } => steps,
         }
     }
 
@@ -94,7 +101,7 @@ impl Axis {
     fn room(self) -> f64 {
         match self {
             Self::Z | Self::FaceX => 64.0,
-            Self::X | Self::FaceC | Self::Y | Self::Around { .. } => 44.0,
+            Self::X | Self::FaceC | Self::Y | Self::Around { .. } | Self::Speed { .. } => 44.0,
         }
     }
 }
@@ -143,7 +150,9 @@ pub fn ticks(axis: Axis, camera: &Camera, unit: Unit) -> Vec<Tick> {
     let pixels = camera.scale() / axis.count(unit);
     let step = match axis {
         Axis::Around { .. } => Step::of_angle(axis.room() / pixels),
-        Axis::Z | Axis::X | Axis::FaceX | Axis::FaceC | Axis::Y => Step::at_least(axis.room() / pixels),
+        Axis::Z | Axis::X | Axis::FaceX | Axis::FaceC | Axis::Y | Axis::Speed { .. } => {
+            Step::at_least(axis.room() / pixels)
+        }
     };
     let minor = step.value() / f64::from(step.parts());
     let (first, last) = ((from / minor).ceil(), (to / minor).floor());

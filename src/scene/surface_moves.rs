@@ -106,6 +106,18 @@ impl SurfaceMoves {
         Scene::new(&self.motions, &self.path_index, work).on(self.plane).with_axes(self.axes)
     }
 
+    /// The moves, in the plane of the picture.
+    pub fn motions(&self) -> &Motions {
+        &self.motions
+    }
+
+    /// The outline of the cutter at the end of a move, if it cuts and its radius is known.
+    pub fn cutter_after(&self, own: usize) -> Option<Vec<Point>> {
+        let radius = self.of.get(own)?.cutter?;
+        let at = self.motions.get_on_workpiece(own).to;
+        Some(circle(radius).into_iter().map(|corner| corner.moved(at)).collect())
+    }
+
     /// The source motion of a move in this picture.
     pub fn motion(&self, own: usize) -> Option<usize> {
         self.of.get(own).map(|of| of.motion)

@@ -5,7 +5,9 @@
 //! 1); there is one path for each block and style. The same scene gives the same bytes.
 
 use std::fmt::Write;
+use std::ops::Range;
 
+use crate::geometry::bounds::Bounds;
 use crate::geometry::{Arc, Point, Turn};
 use crate::machine::SimulationResult;
 use crate::machine::compare::Side;
@@ -58,6 +60,8 @@ pub struct SvgOptions {
     pub annotations: Vec<Annotation>,
     /// What is drawn.
     pub contents: Contents,
+    /// The motions that are drawn; `None` for all. Only what is near them is in the picture.
+    pub motions: Option<Vec<Range<usize>>>,
 }
 
 /// What a picture contains.
@@ -78,8 +82,6 @@ pub enum Passes {
     InPlace,
     /// Side by side, as in manuals.
     Apart,
-    /// Side by side, and small allowances of roughing enlarged: the figure of a cycle.
-    Figure,
 }
 
 /// The background of a picture.
@@ -107,6 +109,7 @@ impl Default for SvgOptions {
             passes: Passes::default(),
             annotations: Vec::new(),
             contents: Contents::default(),
+            motions: None,
         }
     }
 }
@@ -124,15 +127,23 @@ const ROOM_FOR_LABELS: f64 = 64.0;
 /// Most space for lengths above each other, CSS pixels.
 const MAX_STACKED: f64 = 240.0;
 
+/// Space around the motions of a figure, as a share of their extent.
+const AROUND: f64 = 0.2;
+
+/// Minimum length of a stroke with an arrow head in a figure, CSS pixels.
+const MIN_FOR_ARROW_IN_FIGURE: f64 = 18.0;
+
 /// Minimum and maximum height if it is chosen by the contents, CSS pixels.
 const HEIGHTS: [f64; 2] = [240.0, 720.0];
 
 /// The picture as an SVG file.
 pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
     let camera = camera(scene, options);
-    let apart = match scene.plane() {
-        Plane::Section => Apart::of(scene, options.passes, 1.0 / camera.scale()),
-        Plane::Face | Plane::Side => Apart::default(),
+    // A detail shows the passes of a thread.
+    let has_detail = options.annotations.iter().any(|own| matches!(own.shape, Shape::Detail(_)));
+    let apart = match (scene.plane(), options.passes) {
+        (Plane::Section, Passes::Apart) => Apart::of(scene, has_detail, 1.0 / camera.scale()),
+        (Plane::Section, Passes::InPlace) | (Plane::Face | Plane::Side, _) => Apart::default(),
     };
     let mut drawing = Drawing { text: String::new(), camera, apart };
     drawing.all(scene, options);
@@ -143,7 +154,7 @@ pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
 pub fn camera(scene: &Scene, options: &SvgOptions) -> Camera {
     let width = options.width.max(120.0);
     let drawn = match options.contents {
-        Contents::All => scene.bounds(),
+        Contents::All => bounds_of_figure(scene, options).unwrap_or_else(|| scene.bounds()),
         Contents::Part => scene.bounds_of(Frame::Part),
     };
     let room = if options.annotations.is_empty() { 0.0 } else { ROOM_FOR_LABELS };
@@ -160,12 +171,37 @@ pub fn camera(scene: &Scene, options: &SvgOptions) -> Camera {
         Shape::Detail(detail) => detail_sizes(detail, camera.scale()).next(),
         _ => None,
     });
-    let below: f64 = below.map(|(_, [_, height])| height).sum();
+    let below: f64 = below.map(|(_, [_, height])| height + ROOM_FOR_LABELS / 4.0).sum();
     let height = drawn_height + stacked + below;
     let shift = if camera.upward() > 0.0 { stacked } else { 0.0 };
     camera.resize(Size { width, height });
     camera.pan(0.0, shift - (height - drawn_height) / 2.0);
     camera
+}
+
+/// The strokes that are drawn.
+fn drawn<'a>(scene: &Scene<'a>, options: &SvgOptions) -> impl Iterator<Item = Stroke> {
+    let all = options.contents == Contents::All;
+    let strokes = scene.strokes().take(if all { usize::MAX } else { 0 });
+    strokes.filter(|stroke| {
+        options.motions.as_ref().is_none_or(|motions| motions.iter().any(|own| own.contains(&stroke.motion)))
+    })
+}
+
+/// The box of a figure: its motions, and the workpiece above and below the axis near them. `None` if all motions are
+/// drawn.
+fn bounds_of_figure(scene: &Scene, options: &SvgOptions) -> Option<Bounds> {
+    options.motions.as_ref()?;
+    let own = drawn(scene, options).map(|stroke| stroke.drawn_shape().bounds()).reduce(Bounds::union)?;
+    let margin = AROUND * own.length().max(own.height());
+    let near = own.grown(margin);
+    let stock = scene.work().into_iter().flat_map(|work| work.blank.iter().flatten());
+    let low = stock.map(|at| -at.x).fold(own.min.x.min(0.0), f64::min);
+    let all = scene.bounds().union(own);
+    Some(Bounds {
+        min: Point::new(low, near.min.z.max(all.min.z)),
+        max: Point::new(own.max.x.max(-low), near.max.z.min(all.max.z)),
+    })
 }
 
 /// The half-section of a whole program as an SVG file; without a simulation, the workpiece is omitted.
@@ -193,7 +229,7 @@ impl Drawing {
         let [left, bottom] = if is_print { [LEFT_RULER, height - BOTTOM_RULER] } else { [0.0, height] };
         // The height of the caption is only known once it is written.
         let under = options.caption.as_ref().map(|caption| {
-            let high = self.caption(scene, caption, options.contents, [left, bottom]);
+            let high = self.caption(scene, caption, options, [left, bottom]);
             (high, std::mem::take(&mut self.text))
         });
         let whole = bottom + under.as_ref().map_or(0.0, |(high, _)| *high);
@@ -235,9 +271,9 @@ impl Drawing {
         if options.contents == Contents::All {
             self.programmed(scene);
             for style in StrokeStyle::ALL {
-                self.strokes(scene, style);
+                self.strokes(scene, options, style);
             }
-            self.arrows(scene);
+            self.arrows(scene, options);
             self.dangers(scene);
         }
         self.annotations(scene, options);
@@ -286,7 +322,8 @@ impl Drawing {
                 };
                 lines.iter().map(|[a, b]| format!("M{}L{}", pixel(*a), pixel(*b))).collect()
             };
-            let obstacles = seen(&work.obstacles, camera);
+            let obstacles =
+                if contents == Contents::All { seen(&work.obstacles, camera) } else { Vec::new() };
             let blank_edges = match scene.plane() {
                 Plane::Section => edges(&work.blank),
                 Plane::Face | Plane::Side => closed(&work.blank),
@@ -306,9 +343,7 @@ impl Drawing {
                 ("part-edge".to_owned(), lines(&cut)),
                 ("milled".to_owned(), lines(&work.milled_lines())),
             ];
-            let is_drawn = |class: &str| {
-                contents == Contents::All || !(class.starts_with("blank") || class == "obstacle")
-            };
+            let is_drawn = |class: &str| contents == Contents::All || !class.starts_with("blank");
             for (class, d) in shapes.iter().filter(|(class, d)| !d.is_empty() && is_drawn(class)) {
                 self.line(&format!(r#"<path class="{class}" d="{d}"/>"#));
             }
@@ -341,8 +376,8 @@ impl Drawing {
         self.line(&format!(r#"<path class="center" d="M{from} {}H{to}{upright}"/>"#, sharp(zero.y)));
     }
 
-    fn strokes(&mut self, scene: &Scene, style: StrokeStyle) {
-        let mut strokes = scene.strokes().filter(|stroke| stroke.style == style).peekable();
+    fn strokes(&mut self, scene: &Scene, options: &SvgOptions, style: StrokeStyle) {
+        let mut strokes = drawn(scene, options).filter(|stroke| stroke.style == style).peekable();
         if strokes.peek().is_none() {
             return;
         }
@@ -415,14 +450,17 @@ impl Drawing {
         format!("A{radius} {radius} 0 0 {sweep} {}", self.place(end))
     }
 
-    fn arrows(&mut self, scene: &Scene) {
+    /// Draws arrow heads at the cuts, in a figure also at the rapids and at shorter strokes.
+    fn arrows(&mut self, scene: &Scene, options: &SvgOptions) {
         if scene.len() > MAX_WITH_ARROWS {
             return;
         }
-        for style in [StrokeStyle::Feed, StrokeStyle::Thread] {
-            let strokes = scene.strokes().filter(|stroke| stroke.style == style && !stroke.uncertain);
-            let heads =
-                arrow_heads(strokes.map(|stroke| self.apart.shape(&stroke)), &self.camera, MIN_FOR_ARROW);
+        let is_figure = options.motions.is_some();
+        let least = if is_figure { MIN_FOR_ARROW_IN_FIGURE } else { MIN_FOR_ARROW };
+        let rapids = [StrokeStyle::Rapid].into_iter().filter(|_| is_figure);
+        for style in rapids.chain([StrokeStyle::Feed, StrokeStyle::Thread]) {
+            let strokes = drawn(scene, options).filter(|stroke| stroke.style == style && !stroke.uncertain);
+            let heads = arrow_heads(strokes.map(|stroke| self.apart.shape(&stroke)), &self.camera, least);
             if heads.is_empty() {
                 continue;
             }
@@ -511,7 +549,7 @@ const PRINT: &str = "\
 .lathe g path.rapid { stroke-width: 0.95 }
 .lathe text, .lathe .annotations text, .lathe .annotations .head { fill: #000 }
 .lathe .annotations .dimension { stroke: #000 }
-.lathe .arrow.feed, .lathe .arrow.thread { fill: #000 }";
+.lathe .arrow.rapid, .lathe .arrow.feed, .lathe .arrow.thread { fill: #000 }";
 
 /// The colours of a palette as style rules.
 fn colours(palette: &Palette) -> String {
@@ -551,6 +589,7 @@ fn colours(palette: &Palette) -> String {
 .lathe g .feed, .lathe g .dwell {{ stroke: {feed} }}
 .lathe g .thread {{ stroke: {thread} }}
 .lathe g .uncertain {{ stroke: {uncertain} }}
+.lathe .arrow.rapid {{ fill: {rapid} }}
 .lathe .arrow.feed {{ fill: {feed} }}
 .lathe .arrow.thread {{ fill: {thread} }}"
     )

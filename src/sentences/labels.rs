@@ -214,8 +214,8 @@ pub fn length(unit: units::Unit, language: Language) -> &'static str {
 }
 
 /// The legend of a drawing: rapids, cuts, threads; blank, part, chuck and tailstock, a collision, milled
-/// areas; notes that passes on top of each other are drawn side by side, and that an allowance is enlarged.
-pub fn legend(language: Language) -> [&'static str; 10] {
+/// areas; a note that passes on top of each other are drawn side by side.
+pub fn legend(language: Language) -> [&'static str; 9] {
     match language {
         Language::English => [
             "rapid",
@@ -227,7 +227,6 @@ pub fn legend(language: Language) -> [&'static str; 10] {
             "collision",
             "milled, see the end face",
             "passes drawn apart",
-            "allowance enlarged, not to scale",
         ],
         Language::Chinese => [
             "快速移动",
@@ -239,7 +238,6 @@ pub fn legend(language: Language) -> [&'static str; 10] {
             "碰撞",
             "铣削，见端面视图",
             "各次走刀分开绘制",
-            "余量放大绘制，不按比例",
         ],
         Language::Russian => [
             "ускоренный ход",
@@ -251,7 +249,6 @@ pub fn legend(language: Language) -> [&'static str; 10] {
             "столкновение",
             "фрезеруется, см. торец",
             "проходы разведены на рисунке",
-            "припуск увеличен, не в масштабе",
         ],
     }
 }

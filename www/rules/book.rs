@@ -10,7 +10,7 @@ use gcode_playground::message::{Diagnostic, RULES, Rule, Severity};
 use gcode_playground::sentences::{Language, labels};
 use gcode_playground::setup::Setup;
 
-use super::outcome::{Marked, Outcome, Picture};
+use super::outcome::{Marked, Outcome, Picture, same_word};
 use super::words::words;
 use crate::format::RuleFile;
 use crate::format::page::{Mark, Page, Text};
@@ -64,7 +64,10 @@ impl<'a> Shown<'a> {
         let wrong = Outcome::of(&page.wrong, &setup, page.stop);
         let right = Outcome::of(&page.right, &setup, None);
         let told = wrong.told(slug).next().cloned().ok_or("`wrong` does not trigger it")?;
-        let pictures = [("wrong", wrong.picture(Some(&right))), ("right", right.picture(None))];
+        // A run that was stopped is not repeated for the dimension of a word.
+        let word = Some(told.span.start).filter(|_| page.stop.is_none());
+        let same = word.and_then(|word| same_word(&page.wrong, word, &page.right));
+        let pictures = [("wrong", wrong.picture(Some(&right), word)), ("right", right.picture(None, same))];
         let pictures = pictures.map(|(name, picture)| {
             let Picture { svg, marked } = picture?;
             let name = format!("pictures/{slug}-{name}.svg");

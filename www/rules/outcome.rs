@@ -2,12 +2,14 @@
 //!
 //! In: a program and its setup. Out: its messages, as `gcode-playground check` reports them, and its picture.
 
+use gcode_playground::figures;
 use gcode_playground::findings;
 use gcode_playground::machine::compare::{self, Comparison, Side};
 use gcode_playground::machine::{Simulation, SimulationResult};
 use gcode_playground::message::{Diagnostic, sort_by_place};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::scene::Scene;
+use gcode_playground::scene::annotation::Annotation;
 use gcode_playground::scene::face::Face;
 use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::scene::ruler::Scale;
@@ -49,6 +51,7 @@ pub enum Marked {
 
 /// A program that was run.
 pub struct Outcome {
+    text: Vec<u8>,
     /// Its analysis.
     pub analysis: Analysis,
 }
@@ -72,7 +75,7 @@ impl Outcome {
         } else {
             analysis.check_at_machine();
         }
-        Self { analysis }
+        Self { text: text.as_bytes().to_vec(), analysis }
     }
 
     /// The messages of a rule.
@@ -81,8 +84,9 @@ impl Outcome {
     }
 
     /// The half-section, or the end face if polar interpolation mills there; `None` if nothing moves. If the
-    /// part hardly differs from that of `corrected`, the difference is marked.
-    pub fn picture(&self, corrected: Option<&Self>) -> Option<Picture> {
+    /// part hardly differs from that of `corrected`, the difference is marked. The word at the byte `word` has its
+    /// dimension.
+    pub fn picture(&self, corrected: Option<&Self>, word: Option<u32>) -> Option<Picture> {
         let Analysis { motions, setup, .. } = &self.analysis;
         if motions.is_empty() {
             return None;
@@ -106,7 +110,16 @@ impl Outcome {
             None => work,
         });
         let path_index = PathIndex::of(motions);
+        let annotations = word.map_or_else(Vec::new, |byte| self.dimension(byte));
+        let options = SvgOptions { annotations, ..options };
         Some(Picture { svg: svg(&Scene::new(motions, &path_index, work.as_ref()), &options), marked })
+    }
+
+    /// The dimension of the word at a byte.
+    fn dimension(&self, byte: u32) -> Vec<Annotation> {
+        let mut run = Run::new(self.text.clone(), self.analysis.setup.clone());
+        while !run.advance(usize::MAX) {}
+        figures::of_word(&mut run, byte)
     }
 
     /// The difference from another part of the same blank, if it is small.
@@ -121,4 +134,13 @@ impl Outcome {
         let area = comparison.area(Side::First) + comparison.area(Side::Second);
         (!comparison.is_empty() && area < HARDLY_SEEN * others.area()).then_some(comparison)
     }
+}
+
+/// The word of a corrected program at the place of a word of the faulty one: in the same line, with the same address.
+pub fn same_word(faulty: &str, byte: u32, corrected: &str) -> Option<u32> {
+    let before = faulty.get(..byte as usize)?;
+    let address = faulty[byte as usize..].chars().next()?;
+    let line = corrected.split_inclusive('\n').nth(before.matches('\n').count())?;
+    let start: usize = corrected.split_inclusive('\n').take(before.matches('\n').count()).map(str::len).sum();
+    Some((start + line.find(address)?) as u32)
 }

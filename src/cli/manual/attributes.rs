@@ -26,7 +26,7 @@ const KNOWN: [(&str, &[&str]); 22] = [
     ("playground", &[]),
     ("rules", &[]),
     ("docs", &[]),
-    ("learn", &[]),
+    ("manual", &[]),
 ];
 /// Attributes of the element that do not concern its program.
 const OF_THE_PAGE: [&str; 2] = ["split", "hints"];

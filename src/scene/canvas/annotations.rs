@@ -12,11 +12,12 @@ use super::Painter;
 use super::pen::{Dash, Text};
 
 impl Painter {
-    /// Draws the measurement over the strokes, or the annotations unless a tool is shown.
+    /// Draws the measurement over the strokes, or the annotations. While a tool is shown, only the letters of a cycle are
+    /// drawn, at the end of each step.
     pub(super) fn annotations(&self, scene: &Scene, view: &View) -> Result<(), JsValue> {
         let annotations = match &view.measured {
             Some(measured) => measured,
-            None if view.playhead.is_some() => return Ok(()),
+            None if !view.shows_annotations() => return Ok(()),
             None => &view.annotations,
         };
         if annotations.is_empty() {

@@ -9,7 +9,7 @@ use super::super::occupied::Occupied;
 use super::super::palette::Palette;
 use super::super::placement::place;
 use super::caption::escaped;
-use super::{Contents, Drawing, SvgOptions, number, pixel, polylines};
+use super::{Drawing, SvgOptions, drawn, number, pixel, polylines};
 
 /// Style rules of annotations.
 pub(super) const SHAPES: &str = "\
@@ -37,8 +37,7 @@ impl Drawing {
         for annotation in &mut annotations {
             annotation.shape = annotation.shape.map(|at| self.apart.point(scene, at));
         }
-        let drawn = if options.contents == Contents::All { usize::MAX } else { 0 };
-        let strokes = scene.strokes().take(drawn).map(|stroke| self.apart.shape(&stroke));
+        let strokes = drawn(scene, options).map(|stroke| self.apart.shape(&stroke));
         let occupied = Occupied::of(scene, &self.camera, strokes);
         let placed = place(&annotations, &occupied, &self.camera, options.scale.unit);
         let mut heads = String::new();

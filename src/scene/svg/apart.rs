@@ -1,13 +1,11 @@
-//! Draws overlapping passes apart, as manuals do: the passes of G76, pecks along one line, and in the figure of a
-//! cycle roughing and finishing.
+//! Draws overlapping passes apart, as manuals do: the passes of G76, and pecks along one line.
 //!
-//! In: the motions of a scene, the size of a pixel. Out: the displaced strokes and points. The path of the tool
-//! stays connected: the strokes before and after a displaced pass lead to it.
+//! In: the motions of a scene, the size of a pixel. Out: the displaced strokes and points. The last pass is in place.
+//! The path of the tool stays connected: the strokes before and after a displaced pass lead to it.
 
 use std::ops::Range;
 
 use super::super::{Scene, Stroke, StrokeShape};
-use super::Passes;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Arc, Point, at_share, share_along, within};
 use crate::motion::{Cycle, CycleFamily, Motions, Step};
@@ -19,8 +17,8 @@ const PECK_GAP: f64 = 5.0;
 /// Maximum displacement of the passes of a cycle, CSS pixels.
 const ROOM: f64 = 36.0;
 
-/// Least distance of roughing from finishing in the figure of a cycle, CSS pixels.
-const LEAST_ALLOWANCE: f64 = 8.0;
+/// Maximum displacement, as a share of the distance to the start of the cycle, and to the next column of pecks.
+const SHARE: f64 = 0.6;
 
 /// A point this near to a stroke is on it, mm.
 const ON_STROKE: f64 = 1e-4;
@@ -32,19 +30,18 @@ pub(super) struct Apart {
     places: Vec<[Point; 2]>,
     /// Whether passes are drawn side by side.
     pub(super) has_passes: bool,
-    /// Whether an allowance is drawn larger than it is.
-    pub(super) has_allowance: bool,
 }
 
 const IN_PLACE: Point = Point { x: 0.0, z: 0.0 };
 
 impl Apart {
-    /// The displacements in a scene, with `pixel` mm per CSS pixel.
-    pub(super) fn of(scene: &Scene, passes: Passes, pixel: f64) -> Self {
+    /// The displacements in a scene, with `pixel` mm per CSS pixel; `has_detail`: the passes of threads are in a detail,
+    /// so they are in place.
+    pub(super) fn of(scene: &Scene, has_detail: bool, pixel: f64) -> Self {
         let motions = scene.motions;
         let mut apart = Self::default();
         let mut first = 0;
-        while passes != Passes::InPlace && first < scene.len() {
+        while first < scene.len() {
             let own = motions.get(first).cycle.map(|step| step.cycle);
             let line = motions.line(first);
             let mut end = first + 1;
@@ -56,12 +53,10 @@ impl Apart {
                 end += 1;
             }
             match own.map(|cycle| (cycle, cycle.family())) {
+                Some((Cycle::MultiThreading, _)) if has_detail => {}
                 Some((Cycle::MultiThreading, _)) => apart.thread(motions, first..end, pixel),
                 Some((_, CycleFamily::Pecking | CycleFamily::FaceHole | CycleFamily::SideHole)) => {
                     apart.pecks(motions, first..end, pixel);
-                }
-                Some((Cycle::RoughTurning | Cycle::RoughFacing, _)) if passes == Passes::Figure => {
-                    apart.allowance(motions, first..end, pixel);
                 }
                 _ => {}
             }
@@ -121,11 +116,17 @@ impl Apart {
     /// The last pass of a thread is in place; the earlier passes are displaced away from the part.
     fn thread(&mut self, motions: &Motions, call: Range<usize>, pixel: f64) {
         let home = motions.get_on_workpiece(call.start).from.x;
-        let mut last = 0;
+        let (mut last, mut deepest) = (0, home);
         for motion in call.clone() {
-            last = motions.get(motion).cycle.map_or(0, |step| step.pass).max(last);
+            let motion = motions.get_on_workpiece(motion);
+            if let Some(step) = motion.cycle.filter(|step| step.pass >= last) {
+                last = step.pass;
+                deepest = if step.step == Step::Cut { motion.from.x } else { deepest };
+            }
         }
-        let gap = GAP.min(ROOM / f64::from(last.max(1))) * pixel;
+        // All passes stay nearer to the thread than to the start.
+        let room = (ROOM * pixel).min(SHARE * (home - deepest).abs());
+        let gap = (GAP * pixel).min(room / f64::from(last.max(1)));
         self.has_passes |= last > 1;
         for index in call {
             let motion = motions.get_on_workpiece(index);
@@ -141,59 +142,55 @@ impl Apart {
         }
     }
 
-    /// Pecks on one line are drawn side by side; the move to the next line ends in place.
+    /// Pecks on one line are drawn side by side: each cut is parallel to its line, and each retract leads to the next
+    /// cut. The move before the column ends at its first cut.
     fn pecks(&mut self, motions: &Motions, call: Range<usize>, pixel: f64) {
-        let along = |motion: usize| {
-            let step = motions.get(motion).cycle.map(|step| step.step);
-            !matches!(step, Some(Step::Relief | Step::Stepover | Step::Return | Step::Approach) | None)
+        let step = |motion: usize| motions.get(motion).cycle.map(|step| step.step);
+        let is_along = |motion: usize| {
+            !matches!(
+                step(motion),
+                Some(Step::Relief | Step::Stepover | Step::Return | Step::Approach) | None
+            )
         };
+        let pitch = pitch_of(motions, call.clone());
         let mut first = call.start;
         while first < call.end {
             let mut end = first;
-            while end < call.end && along(end) {
+            while end < call.end && is_along(end) {
                 end += 1;
             }
-            // A cut and the way back are at most two lines, which do not overlap with others.
-            let column = end - first;
-            if column > 2 {
+            let cuts = (first..end).filter(|&motion| step(motion) == Some(Step::Cut)).count();
+            if cuts > 1 {
                 self.has_passes = true;
-                let gap = PECK_GAP.min(ROOM / column as f64) * pixel;
+                let room = (ROOM * pixel).min(SHARE * pitch);
+                let gap = (PECK_GAP * pixel).min(room / cuts as f64);
                 let motion = motions.get_on_workpiece(first);
                 let is_along_z = motion.from.x == motion.to.x;
-                let at = |count: usize| {
-                    let by = gap * count as f64;
+                let at = |left: usize| {
+                    let by = gap * left as f64;
                     if is_along_z { Point { x: by, z: 0.0 } } else { Point { x: 0.0, z: by } }
                 };
-                for index in 0..column {
-                    self.put(first + index, at(index), at(index + 1));
+                let mut left = cuts - 1;
+                if let Some(before) = first.checked_sub(1) {
+                    let start = self.places.get(before).map_or(IN_PLACE, |places| places[0]);
+                    self.put(before, start, at(left));
                 }
-                if end < call.end {
-                    self.put(end, at(column), IN_PLACE);
+                for index in first..end {
+                    let is_retract = step(index) == Some(Step::Retract);
+                    let next = if is_retract { left.saturating_sub(1) } else { left };
+                    self.put(index, at(left), at(next));
+                    left = next;
                 }
             }
             first = end + 1;
         }
     }
+}
 
-    /// Roughing is displaced away from the contour, until its distance from finishing can be seen.
-    fn allowance(&mut self, motions: &Motions, call: Range<usize>, pixel: f64) {
-        let first = motions.get_on_workpiece(call.start);
-        if first.cycle.is_none_or(|step| step.step != Step::Approach) {
-            return;
-        }
-        let (x, z) = (first.to.x - first.from.x, first.to.z - first.from.z);
-        let factor = LEAST_ALLOWANCE * pixel / x.abs().max(z.abs());
-        if !factor.is_finite() || factor <= 1.0 {
-            return;
-        }
-        self.has_allowance = true;
-        let by = Point { x: (factor - 1.0) * x, z: (factor - 1.0) * z };
-        for index in call.clone() {
-            let start = if index == call.start { IN_PLACE } else { by };
-            let end = if index + 1 == call.end { IN_PLACE } else { by };
-            self.put(index, start, end);
-        }
-    }
+/// Distance between the columns of pecks, mm; infinite for one column.
+fn pitch_of(motions: &Motions, mut call: Range<usize>) -> f64 {
+    let over = call.find(|&index| motions.get(index).cycle.is_some_and(|step| step.step == Step::Stepover));
+    over.map_or(f64::INFINITY, |index| motions.get_on_workpiece(index).length())
 }
 
 /// The share of a stroke at a point on it, from 0 to 1; `None` if the point is not on it.

@@ -3,7 +3,7 @@
 //! In: a scene and the words. Out: rows of text with samples, as wide as the drawing. Knows no language.
 
 use super::super::{Scene, StrokeStyle};
-use super::{Contents, Drawing, number};
+use super::{Contents, Drawing, SvgOptions, drawn, number};
 use crate::source::is_unprintable;
 
 /// Distance between rows, CSS pixels.
@@ -27,17 +27,16 @@ pub struct Caption {
 /// The samples of a legend, each as the text before and after the coordinates of its left middle.
 ///
 /// Rapids, cuts, threads; the blank where material was removed, the part, chuck and tailstock, a collision,
-/// milling under G12.1; notes that passes are displaced, and that an allowance is enlarged.
-pub const LEGEND: [[&str; 2]; 10] = [
+/// milling under G12.1; a note that passes are displaced.
+pub const LEGEND: [[&str; 2]; 9] = [
     [r#"<g><path class="rapid" d="M"#, r#"h24"/></g>"#],
     [r#"<g><path class="feed" d="M"#, r#"h24"/></g>"#],
     [r#"<g><path class="thread" d="M"#, r#"h24"/></g>"#],
     [r#"<path class="blank blank-frame" d="M"#, r#"m0 -6h24v12h-24z"/>"#],
-    [r#"<path class="part part-frame" d="M"#, r#"m0 -6h24v12h-24z"/>"#],
+    [r#"<path class="part part-frame" d="M"#, r#"m0 -6h24v12h-24zm2 12l12 -12m-4 12l12 -12"/>"#],
     [r#"<path class="obstacle" d="M"#, r#"m0 -6h24v12h-24z"/>"#],
     [r#"<path class="danger" d="M"#, r#"m4 0a8 8 0 1 0 16 0a8 8 0 1 0 -16 0m4 -4l8 8m0 -8l-8 8"/>"#],
     [r#"<path class="milled" d="M"#, r#"m0 -6h24v12h-24zl24 12m0 -12l-24 12"/>"#],
-    ["", ""],
     ["", ""],
 ];
 
@@ -47,7 +46,7 @@ impl Drawing {
         &mut self,
         scene: &Scene,
         caption: &Caption,
-        contents: Contents,
+        options: &SvgOptions,
         [left, top]: [f64; 2],
     ) -> f64 {
         let [left, right] = [left + MARGIN, self.camera.size().width - MARGIN];
@@ -56,7 +55,7 @@ impl Drawing {
             self.key(["name", &escaped(&caption.title)], x, y);
             y += LEADING;
         }
-        let there = self.there(scene, contents);
+        let there = self.there(scene, options);
         for (index, text) in caption.legend.into_iter().enumerate() {
             if !there[index] {
                 continue;
@@ -85,12 +84,12 @@ impl Drawing {
     }
 
     /// Which entries occur in the drawing.
-    fn there(&self, scene: &Scene, contents: Contents) -> [bool; LEGEND.len()] {
+    fn there(&self, scene: &Scene, options: &SvgOptions) -> [bool; LEGEND.len()] {
         let mut there = [false; LEGEND.len()];
-        if contents == Contents::Part {
+        if options.contents == Contents::Part {
             return there;
         }
-        for stroke in scene.strokes() {
+        for stroke in drawn(scene, options) {
             match stroke.style {
                 StrokeStyle::Rapid => there[0] = true,
                 StrokeStyle::Feed => there[1] = true,
@@ -101,11 +100,12 @@ impl Drawing {
         if let Some(work) = scene.work() {
             there[3] = true;
             there[4] = !work.part.is_empty();
-            there[5] = !work.obstacles.is_empty();
+            let seen = self.camera.seen();
+            there[5] = work.obstacles.iter().flatten().any(|at| seen.contains(*at));
             there[6] = !work.dangers.is_empty();
             there[7] = work.milled.is_some();
         }
-        (there[8], there[9]) = (self.apart.has_passes, self.apart.has_allowance);
+        there[8] = self.apart.has_passes;
         there
     }
 }

@@ -280,23 +280,26 @@ class WebKitTab implements Tab {
       ...Array.from({ length: times }, () => once).flat(),
     );
   }
-  /** Repeats the action if no event arrives: the driver sometimes loses it. */
+  /** Repeats the action until an event with a distance arrives: the driver sometimes loses it. */
   async wheel(x: number, y: number, deltaX: number, deltaY: number): Promise<void> {
-    const watch = "addEventListener('wheel', () => (globalThis.wheelArrived = true), { capture: true, once: true })";
-    const hasArrived = async (): Promise<boolean> => {
-      for (let tries = 0; tries < 20; tries++) {
-        if ((await this.evaluate('globalThis.wheelArrived')) === true) return true;
-        await pause(25);
-      }
-      return false;
-    };
-    for (let tries = 0; tries < 4; tries++) {
-      await this.evaluate(`(globalThis.wheelArrived = false, ${watch})`);
+    await this.evaluate(`(
+      globalThis.wheelArrived ??= addEventListener(
+        'wheel',
+        ({ deltaX, deltaY }) => { if (deltaX !== 0 || deltaY !== 0) globalThis.wheelArrived = true; },
+        { capture: true },
+      ) ?? false,
+      globalThis.wheelArrived = false
+    )`);
+    for (let tries = 0; tries < 8; tries++) {
       await this.call('POST', '/actions', {
         actions: [{ type: 'wheel', id: 'wheel', actions: [{ type: 'scroll', x, y, deltaX, deltaY, duration: 0 }] }],
       });
-      if (await hasArrived()) return;
+      for (let waits = 0; waits < 20; waits++) {
+        if ((await this.evaluate('globalThis.wheelArrived')) === true) return;
+        await pause(25);
+      }
     }
+    throw new Error('no wheel event has arrived');
   }
   async chooseFile(expression: string, path: string): Promise<void> {
     const input = (await this.call('POST', '/execute/sync', { script: `return ${expression}`, args: [] })) as Record<

@@ -1,0 +1,74 @@
+//! The chart of the spindle speed over the diameter, with the limits of G50.
+//!
+//! In: a finished run. Out: the chart and its annotations; `None` if the program sets no cutting speed.
+
+use super::replay;
+use crate::motion::Process;
+use crate::run::Run;
+use crate::scene::annotation::{Annotation, Measure, Shape};
+use crate::scene::speed_chart::{Curve, SpeedChart};
+use crate::source::{LineIndex, Span};
+use crate::units::Diameter;
+
+/// Maximum number of lines that are looked at.
+const MAX_LINES: u32 = 200;
+/// Largest diameter without a blank, mm.
+const LARGEST: f64 = 100.0;
+/// The diameter of the chart as a share of that of the blank.
+const BEYOND: f64 = 1.2;
+
+/// The chart of all cutting speeds of the program.
+pub fn of_speeds(run: &mut Run) -> Option<(SpeedChart, Vec<Annotation>)> {
+    let mut curves: Vec<Curve> = Vec::new();
+    let lines = LineIndex::new(run.text());
+    for line in 0..lines.len().min(MAX_LINES) {
+        let span = lines.line(run.text(), line);
+        let Some(visit) = replay(run, span.start).and_then(|found| found.visit) else { continue };
+        let state = &visit.after.state;
+        let spindle = &state.spindle;
+        if !spindle.surface || spindle.cutting_speed <= 0.0 {
+            continue;
+        }
+        let process = Process { uncertain: false, ..state.process() };
+        let block = (Span::new(span.start as usize, span.end as usize), line);
+        let curve = Curve {
+            cutting_speed: spindle.cutting_speed,
+            highest: spindle.highest,
+            lowest: spindle.lowest,
+            process,
+            block,
+        };
+        let values = |own: &Curve| (own.cutting_speed, own.highest, own.lowest);
+        if !curves.iter().any(|other| values(other) == values(&curve)) {
+            curves.push(curve);
+        }
+    }
+    let blank = run.setup_at_machine().stock.map(|stock| stock.diameter.mm());
+    let diameter = blank.map_or(LARGEST, |blank| BEYOND * blank);
+    let chart = SpeedChart::of(&curves, diameter)?;
+    let mut annotations = Vec::new();
+    let note = |diameter: f64, speed: f64, name: &'static str, value: Measure| {
+        Annotation::dimension(Shape::Note(chart.place(diameter, speed)), name, value)
+    };
+    for curve in &curves {
+        let at = blank.unwrap_or(0.8 * diameter);
+        annotations.push(note(at, curve.speed(at), "n", Measure::Count(curve.speed(at).round())));
+        annotations.push(note(0.9 * at, curve.speed(0.9 * at), "v", Measure::Count(curve.cutting_speed)));
+        for limit in curve.limits().into_iter().flatten().filter(|limit| *limit < diameter) {
+            let rounded = Diameter::new((10.0 * limit).round() / 10.0).mm();
+            annotations.push(note(limit, curve.speed(limit), "", Measure::Diameter(rounded)));
+        }
+    }
+    let mut limits: Vec<(f64, &'static str)> = Vec::new();
+    for curve in &curves {
+        limits.extend(
+            curve.highest.map(|speed| (speed, "S")).into_iter().chain(curve.lowest.map(|speed| (speed, "Q"))),
+        );
+    }
+    limits.dedup();
+    for (speed, name) in limits {
+        let at = if name == "S" { 0.0 } else { diameter };
+        annotations.push(note(at, speed, name, Measure::Count(speed)));
+    }
+    Some((chart, annotations))
+}
