@@ -20,7 +20,7 @@ const CHROMIUM_ONLY = specFiles(
   'dialogs',
   'docs',
   'killed-while-typing',
-  'learn',
+  'manual',
   'links',
   'long-program',
   'many',

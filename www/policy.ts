@@ -1,7 +1,7 @@
 // The Content-Security-Policy of the page, as a `meta` element, because a static host may not be able to send headers.
 //
 // In: the built HTML. Out: the HTML with its policy, which contains the hash of each inline script. The frame
-// (`embed/index.html`), the rule pages, the documents and the Learn pages contain their own policies.
+// (`embed/index.html`), the rule pages, the documents and the pages of the manual contain their own policies.
 import { createHash } from 'node:crypto';
 import type { Plugin } from 'vite';
 

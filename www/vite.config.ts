@@ -67,7 +67,7 @@ const foreignPage: Plugin = {
 };
 
 /**
- * `cargo xtask play`: serves the rule pages, the reference and the Learn pages from another folder, and reloads the page
+ * `cargo xtask play`: serves the rule pages, the reference and the pages of the manual from another folder, and reloads the page
  * when there is a new interpreter module.
  */
 const developmentServer: Plugin = {
@@ -76,13 +76,13 @@ const developmentServer: Plugin = {
     const folder = process.env['PLAYGROUND_DOCUMENTS'];
     // The server ends with the command that started it, which holds the other end of the pipe.
     if (folder !== undefined) process.stdin.resume().once('end', () => process.exit());
-    // The built script of the element, which the Learn pages load.
+    // The built script of the element, which the pages of the manual load.
     middlewares.use('/element.js', (_request, response) => {
       response.setHeader('content-type', 'text/javascript');
       response.end("export * from '/src/shell/element.ts';");
     });
     middlewares.use((request, response, next) => {
-      const path = /^\/((?:rules|docs|learn)\/[\w./-]*)/.exec(request.url ?? '')?.[1];
+      const path = /^\/((?:rules|docs|manual)\/[\w./-]*)/.exec(request.url ?? '')?.[1];
       if (folder === undefined || path === undefined || path.includes('..')) return next();
       try {
         const file = path.endsWith('/') ? `${path}index.html` : path;

@@ -151,7 +151,7 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
         for (const path of [
           `rules/${locale}/index.html`,
           `rules/${locale}/number-missing.html`,
-          `learn/${locale}/feed.html`,
+          `manual/${locale}/feed.html`,
           'docs/index.html',
           'docs/element.html',
         ]) {

@@ -19,7 +19,7 @@ test('the table is opened, filtered, read and closed by keyboard', async ({ page
   await chooseControl(page, 'fanuc');
   await page.getByRole('button', { name: 'Help' }).focus();
   await page.keyboard.press('Enter');
-  await expect(page.getByRole('menuitem', { name: 'Learn' })).toBeFocused();
+  await expect(page.getByRole('menuitem', { name: 'Manual' })).toBeFocused();
   await page.keyboard.press('ArrowDown');
   await expect(page.getByRole('menuitem', { name: 'Keys and gestures' })).toBeFocused();
   await page.keyboard.press('ArrowDown');

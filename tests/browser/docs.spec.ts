@@ -50,13 +50,13 @@ test('attributes of the element set the folders of the documents and of the rule
   const rules = page.getByRole('menuitem', { name: 'All rules' });
   await rules.focus();
   await expect(rules).toHaveAttribute('href', /^https?:.*\/pages\/en\/index\.html$/);
-  const learn = page.getByRole('menuitem', { name: 'Learn' });
-  await expect(learn).toHaveAttribute('href', /^https?:.*\/learn\/en\/index\.html$/);
-  await page.evaluate(() => document.querySelector('gcode-playground')!.setAttribute('learn', 'lessons/'));
-  await learn.focus();
-  await expect(learn).toHaveAttribute('href', /^https?:.*\/lessons\/en\/index\.html$/);
-  await page.evaluate(() => document.querySelector('gcode-playground')!.setAttribute('learn', ''));
-  await expect(learn).toHaveCount(0);
+  const entry = page.getByRole('menuitem', { name: 'Manual' });
+  await expect(entry).toHaveAttribute('href', /^https?:.*\/manual\/en\/index\.html$/);
+  await page.evaluate(() => document.querySelector('gcode-playground')!.setAttribute('manual', 'lessons/'));
+  await entry.focus();
+  await expect(entry).toHaveAttribute('href', /^https?:.*\/lessons\/en\/index\.html$/);
+  await page.evaluate(() => document.querySelector('gcode-playground')!.setAttribute('manual', ''));
+  await expect(entry).toHaveCount(0);
 });
 
 test('links lead from one document to another, to a section of it, and back to the playground', async ({ page }) => {

@@ -120,8 +120,8 @@ test('after the first visit everything works without a network', async ({ page }
     await page.goto(`${site.address}rules/zh/`);
     await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
   });
-  await test.step('Learn pages, with their elements', async () => {
-    await page.goto(`${site.address}learn/ru/axes.html`);
+  await test.step('pages of the manual, with their elements', async () => {
+    await page.goto(`${site.address}manual/ru/axes.html`);
     await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
     await expect(drawing(page)).toBeVisible();
   });

@@ -66,7 +66,7 @@ test('the package contains its listed files and metadata for TypeScript and edit
     'frame.js',
     'rules',
     'docs',
-    'learn',
+    'manual',
     'node',
     'sphinx',
     'LICENSE-MIT',

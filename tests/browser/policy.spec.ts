@@ -94,7 +94,7 @@ test('every built page has a policy before its content, and the policy allows no
     'docs',
     'embed',
     'index.html',
-    'learn',
+    'manual',
     'parts.html',
     'rules',
   ]);
@@ -107,8 +107,8 @@ const PAGES = {
   'a rule page': './rules/en/number-missing.html',
   'the list of rules': './rules/ru/index.html',
   'a document': './docs/limits.html',
-  'a Learn page': './learn/en/axes.html',
-  'a Learn page of the published element': './embed/learn/ru/cycles.html',
+  'a page of the manual': './manual/en/axes.html',
+  'a page of the manual of the published element': './embed/manual/ru/cycles.html',
   'a document of the published element': './embed/docs/element.html',
 } as const;
 

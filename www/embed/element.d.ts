@@ -76,8 +76,8 @@ export class GcodePlayground extends HTMLElement {
   rules: string | null;
   /** The folder of the documents. Null: `docs/` next to `element.js`; empty: no link to them. */
   docs: string | null;
-  /** The folder of the Learn pages. Null: `learn/` next to `element.js`; empty: no link to them. */
-  learn: string | null;
+  /** The folder of the pages of the manual. Null: `manual/` next to `element.js`; empty: no link to them. */
+  manual: string | null;
   /** Any text with which the page identifies the program. */
   origin: string | null;
   /** Resolves to the number of the run once everything of that run is shown. */
@@ -168,7 +168,7 @@ export type GcodePlaygroundProps = Partial<
     | 'playground'
     | 'rules'
     | 'docs'
-    | 'learn'
+    | 'manual'
     | 'origin'
   >
 > & {

@@ -6,7 +6,7 @@ import { GcodePlayground } from './element.js';
 /** The playground of this copy's publisher, from `<meta name="playground" content="…">`. */
 const named = document.querySelector('meta[name="playground"]')?.content ?? '';
 /** Attributes that name a folder of pages. */
-const PAGES = ['rules', 'docs', 'learn'];
+const PAGES = ['rules', 'docs', 'manual'];
 const isFramed = window.top !== window;
 
 const element = document.createElement('gcode-playground');

@@ -1,4 +1,4 @@
-//! In: the sources of the page, the rule pages, the reference, the Learn pages, the package of the interpreter,
+//! In: the sources of the page, the rule pages, the reference, the pages of the manual, the package of the interpreter,
 //! and the licences of third-party code in it. Out: the element for other pages and for Node, `www/dist/embed`, which
 //! is the npm package; and the same files in a folder with the version in its name.
 
@@ -19,13 +19,13 @@ const INTERPRETER: [&str; 5] =
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// Builds the element; requires the rule pages, the reference and the Learn pages.
+/// Builds the element; requires the rule pages, the reference and the pages of the manual.
 pub fn element(setup: &Setup) -> Result<Duration> {
     let built = run::step("building the element for other pages", &mut setup.npm(&["run", "build:element"]))?;
     let begun = Instant::now();
     let dist = run::www().join("dist");
     let folder = dist.join("embed");
-    for pages in ["rules", "docs", "learn"] {
+    for pages in ["rules", "docs", "manual"] {
         copy_folder(&dist.join(pages), &folder.join(pages))?;
     }
     copy_folder(&run::www().join("embed"), &folder)?;

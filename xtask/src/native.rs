@@ -45,7 +45,7 @@ pub fn rule_pages(beside: Beside) -> Result<Command> {
     page_writer("gcode-playground-rule-pages", "rule-pages", beside)
 }
 
-/// The program that writes the reference and the Learn pages into the site whose folder is its argument.
+/// The program that writes the reference and the pages of the manual into the site whose folder is its argument.
 pub fn reference(beside: Beside) -> Result<Command> {
     page_writer("gcode-playground-reference", "reference", beside)
 }

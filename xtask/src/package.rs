@@ -273,7 +273,7 @@ pub fn site(setup: &Setup) -> Result {
     Ok(())
 }
 
-/// Builds the page into www/dist, and next to it the rule pages, the reference, the Learn pages, the element for
+/// Builds the page into www/dist, and next to it the rule pages, the reference, the pages of the manual, the element for
 /// other pages and the files for offline use.
 pub fn page(setup: &Setup, beside: native::Beside) -> Result<Duration> {
     let page = run::step("building the page", &mut setup.npm(&["run", "build"]))?;
@@ -282,7 +282,7 @@ pub fn page(setup: &Setup, beside: native::Beside) -> Result<Duration> {
     let rules = run::step("writing the pages of the rules", &mut rules)?;
     let mut docs = native::reference(beside)?;
     docs.arg(run::www().join("dist"));
-    let docs = run::step("writing the reference and the Learn pages", &mut docs)?;
+    let docs = run::step("writing the reference and the pages of the manual", &mut docs)?;
     let element = embed::element(setup)?;
     // It lists the existing files, so it comes last.
     let offline = run::step(

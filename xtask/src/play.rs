@@ -110,12 +110,12 @@ fn module(setup: &Setup) -> Result {
     package::write(&stamp, &built)
 }
 
-/// The folder of the rule pages, the reference and the Learn pages.
+/// The folder of the rule pages, the reference and the pages of the manual.
 fn documents_folder() -> PathBuf {
     run::target().join("documents")
 }
 
-/// Writes the rule pages, the reference and the Learn pages.
+/// Writes the rule pages, the reference and the pages of the manual.
 fn documents() -> Result {
     let folder = documents_folder();
     step(
@@ -123,7 +123,7 @@ fn documents() -> Result {
         native::rule_pages(native::Beside::Nothing)?.arg(folder.join("rules")),
     )?;
     step(
-        "writing the reference and the Learn pages",
+        "writing the reference and the pages of the manual",
         native::reference(native::Beside::Nothing)?.arg(folder),
     )?;
     Ok(())

@@ -1,10 +1,12 @@
-//! Writes the reference (`www/docs/*.md`) and the Learn pages (`www/learn`) as HTML. Part of building the page:
+//! Writes the reference (`www/docs/*.md`) and the pages of the manual (`www/manual`) as HTML. Part of building the page:
 //! `cargo xtask site` and `cargo xtask test`.
 //!
 //! In: the folder of the site. Out: its folder `docs`, with one page for each document (`README.md` becomes
-//! `index.html`), and its folder `learn`, with one page for each document and language; a style sheet in each.
+//! `index.html`), and its folder `manual`, with one page for each document and language; a style sheet in each.
 
-mod learn;
+mod figure;
+mod form;
+mod manual;
 mod site;
 
 use std::path::Path;
@@ -14,14 +16,14 @@ use std::{env, fs, io};
 /// The folder of the reference.
 const REFERENCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// The folder of the Learn pages.
-const LEARN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../learn");
+/// The folder of the pages of the manual.
+const MANUAL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../manual");
 
 fn main() -> ExitCode {
     let folder = env::args_os().nth(1).unwrap_or_else(|| "target/documents".into());
     match write(Path::new(&folder)) {
         Ok(count) => {
-            println!("{count} files of the reference and the Learn pages");
+            println!("{count} files of the reference and the pages of the manual");
             ExitCode::SUCCESS
         }
         Err(problem) => {
@@ -34,7 +36,7 @@ fn main() -> ExitCode {
 fn write(site: &Path) -> Result<usize, String> {
     let folders = [
         (site.join("docs"), site::files(Path::new(REFERENCE))?),
-        (site.join("learn"), learn::files(Path::new(LEARN))?),
+        (site.join("manual"), manual::files(Path::new(MANUAL))?),
     ];
     let mut count = 0;
     for (folder, files) in folders {

@@ -1,7 +1,7 @@
-// Links to the pages of the rules, to the Learn pages and to the reference, which are built beside the page.
+// Links to the pages of the rules, to the pages of the manual and to the reference, which are built beside the page.
 //
 // In: a diagnostic. Out: a link to the page of its rule, in the user's language. The pages are beside the origin of
-// this module, even on another site, or in the folders named by the element's attributes `rules`, `docs` and `learn`: a
+// this module, even on another site, or in the folders named by the element's attributes `rules`, `docs` and `manual`: a
 // bundler copies only the module. Must not know: the content of a rule.
 
 import { make } from '../dom/dom';
@@ -17,21 +17,21 @@ const WORDS = words({
     more: 'More',
     moreAbout: (message: string) => `More: ${message}`,
     all: 'All rules',
-    learn: 'Learn',
+    manual: 'Manual',
     reference: 'Reference for developers',
   },
   zh: {
     more: '详情',
     moreAbout: (message) => `详情：${message}`,
     all: '全部规则',
-    learn: '学习',
+    manual: '手册',
     reference: '开发者参考（英文）',
   },
   ru: {
     more: 'Подробнее',
     moreAbout: (message) => `Подробнее: ${message}`,
     all: 'Все правила',
-    learn: 'Обучение',
+    manual: 'Руководство',
     reference: 'Справочник разработчика (на английском)',
   },
 });
@@ -46,9 +46,9 @@ export function allRulesLink(language: Language): HTMLAnchorElement {
   return linkTo('index', WORDS[language].all, language);
 }
 
-/** The list of the Learn pages. */
-export function learnLink(language: Language): HTMLAnchorElement {
-  return link('learn', `${language}/index.html`, WORDS[language].learn, language);
+/** The list of the pages of the manual. */
+export function manualLink(language: Language): HTMLAnchorElement {
+  return link('manual', `${language}/index.html`, WORDS[language].manual, language);
 }
 
 /** The reference exists in English only. */
@@ -60,7 +60,7 @@ function linkTo(page: string, text: string, language: Language): HTMLAnchorEleme
   return link('rules', `${language}/${encodeURIComponent(page)}.html`, text, language);
 }
 
-function link(folder: 'rules' | 'docs' | 'learn', page: string, text: string, hreflang: string): HTMLAnchorElement {
+function link(folder: 'rules' | 'docs' | 'manual', page: string, text: string, hreflang: string): HTMLAnchorElement {
   const href = new URL(`${folder}/${page}`, HOME).href;
   const made = make('a', { className: 'rule-link', href, hreflang, target: '_blank', rel: 'noopener' }, text);
   made.dataset.pages = folder;

@@ -14,9 +14,9 @@ export interface BuildManifest {
 }
 
 /** Folders whose files are stored in one pack: a thousand small pages would be a thousand requests. */
-const PACKED_FOLDERS = /^(docs|examples|learn|rules\/(?:en|zh|ru|pictures))\//;
+const PACKED_FOLDERS = /^(docs|examples|manual|rules\/(?:en|zh|ru|pictures))\//;
 /** Folders of files that may belong to another version. */
-const PAGE_FOLDERS = /^(assets|docs|examples|icons|learn|offline|rules)\//;
+const PAGE_FOLDERS = /^(assets|docs|examples|icons|manual|offline|rules)\//;
 
 /** The pack that contains a file; undefined if the file is stored separately. */
 export function packOf(path: string): string | undefined {

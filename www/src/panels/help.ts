@@ -1,4 +1,4 @@
-// The menu "Help": the Learn pages, the dialog with keys and gestures, the table of codes, the pages of the rules and the
+// The menu "Help": the pages of the manual, the dialog with keys and gestures, the table of codes, the pages of the rules and the
 // reference.
 //
 // Must not know: which part handles a key.
@@ -8,7 +8,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
-import { allRulesLink, learnLink, referenceLink } from '../editor/rule-link';
+import { allRulesLink, manualLink, referenceLink } from '../editor/rule-link';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import helpStyles from './help.css?inline';
 
@@ -17,13 +17,13 @@ export const help: PanelKind = { control: 'help', styles: helpStyles, make: (she
 class Help implements Panel {
   readonly #keys = menuItem({ 'aria-haspopup': 'dialog' });
   readonly #codes = menuItem({ 'aria-haspopup': 'dialog' });
-  readonly #learn = make('div', { className: 'region' });
+  readonly #manual = make('div', { className: 'region' });
   /** The pages of the rules and of the reference. */
   readonly #links = make('div', { className: 'region' });
   readonly #list = make('dl');
   readonly #dialog = new Dialog('help', [this.#list]);
   readonly elements = {
-    'help-menu': [this.#learn, this.#keys, this.#codes, this.#links],
+    'help-menu': [this.#manual, this.#keys, this.#codes, this.#links],
     dialogs: [this.#dialog.element],
   };
 
@@ -41,13 +41,13 @@ class Help implements Panel {
     const strings = WORDS[language];
     this.#keys.textContent = strings.helpTitle;
     this.#codes.textContent = strings.codes;
-    const learn = learnLink(language);
+    const manual = manualLink(language);
     const links = [allRulesLink(language), referenceLink(language)];
-    for (const link of [learn, ...links]) {
+    for (const link of [manual, ...links]) {
       link.setAttribute('role', 'menuitem');
       link.tabIndex = -1;
     }
-    this.#learn.replaceChildren(learn);
+    this.#manual.replaceChildren(manual);
     this.#links.replaceChildren(...links);
     this.#dialog.setTexts(strings.helpTitle, COMMON[language].close);
     this.#list.replaceChildren();

@@ -28,7 +28,7 @@
 //   turret    front | rear
 //   caption   a line under the element, which is also its accessible name
 //   playground https://…               target of "Open in the playground"; empty: no link
-//   rules, docs, learn https://…       the folders of the rule pages, the documents, the Learn pages; empty: no links to them
+//   rules, docs, manual https://…       the folders of the rule pages, the documents, the pages of the manual; empty: no links to them
 //   loading   lazy | eager | click     start near the viewport, immediately, or on click
 //   split     40                       width of the program beside the drawing, percent; follows the divider
 //   hints     "play pick"              the introductory hints that are still to be shown; missing: none
@@ -111,7 +111,7 @@ const AUTHOR_ATTRIBUTES: readonly string[] = [
 ];
 
 /** These need no update: they are read when the pointer or the focus reaches a link. */
-const LINK_ATTRIBUTES: readonly string[] = ['rules', 'docs', 'learn'];
+const LINK_ATTRIBUTES: readonly string[] = ['rules', 'docs', 'manual'];
 
 /** Node has no `HTMLElement`; there the class is only imported, never instantiated. */
 const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
@@ -139,7 +139,7 @@ export class GcodePlayground extends Base {
     'playground',
     'rules',
     'docs',
-    'learn',
+    'manual',
   ];
 
   /** Set by the page to identify the program; null after another program has replaced it. */
@@ -442,13 +442,13 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('docs', address);
   }
 
-  /** The address of the folder of the Learn pages; empty: no link to them. */
-  get learn(): string | null {
-    return this.getAttribute('learn');
+  /** The address of the folder of the pages of the manual; empty: no link to them. */
+  get manual(): string | null {
+    return this.getAttribute('manual');
   }
 
-  set learn(address: string | null) {
-    this.#setOrRemove('learn', address);
+  set manual(address: string | null) {
+    this.#setOrRemove('manual', address);
   }
 
   play(): void {

@@ -1,0 +1,292 @@
+//! The manual: every page exists in three languages with the same examples and exercises, all links are valid, and
+//! the examples give the results that the pages state.
+//!
+//! `www/manual/examples/NAME.json` has the results of `NAME.nc`, worked out by hand:
+//!
+//! * `end`: the final point of the tip, X a diameter, mm
+//! * `diameters`: the outside diameter of the part at each Z, mm
+//! * `motions`: the number of motions
+//! * `lines`: keys of the last motion of a line, as in the output of the command `motions`
+//! * `messages`: the slugs of all messages except notes; none if it is missing
+//! * `tries`: the same after the replacements of `change`, which are exercises of the page
+
+#[path = "../www/docs/html/figure.rs"]
+mod figure;
+#[path = "../www/docs/html/form.rs"]
+mod form;
+#[path = "../www/docs/html/manual.rs"]
+mod pages;
+
+use crate::fixtures::same;
+use crate::project::source;
+use crate::reference_pages::site;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use gcode_playground::api;
+use gcode_playground::machine::SimulationResult;
+use gcode_playground::message::Severity;
+use gcode_playground::run::{Analysis, Run};
+use gcode_playground::sentences::Language;
+use gcode_playground::setup::Setup;
+use gcode_playground::setup::dialect::CodeList;
+use serde_json::Value;
+
+const LANGUAGES: [&str; 3] = ["en", "zh", "ru"];
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("www/manual")
+}
+
+/// The stems of the files of a folder with this ending.
+fn stems(subfolder: &str, ending: &str) -> BTreeSet<String> {
+    let entries = fs::read_dir(folder().join(subfolder)).expect("a folder").flatten();
+    let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    names.filter_map(|name| name.strip_suffix(ending).map(str::to_owned)).collect()
+}
+
+fn document(language: &str, page: &str) -> String {
+    source(&format!("www/manual/{language}/{page}.md"))
+}
+
+/// The parts of a text between two marks.
+fn between<'a>(text: &'a str, from: &str, to: &str) -> Vec<&'a str> {
+    text.split(from).skip(1).filter_map(|rest| rest.split(to).next()).collect()
+}
+
+/// The examples of a document in their order, without the programs of figures.
+fn examples(text: &str) -> Vec<&str> {
+    between(text, "](../examples/", ")").into_iter().filter_map(|name| name.strip_suffix(".nc")).collect()
+}
+
+/// The number of paragraphs that are only a link to a program.
+fn live_programs(text: &str) -> usize {
+    let is_live = |one: &&str| {
+        one.starts_with('[') && one.trim_end().ends_with(".nc)") && one.matches("](").count() == 1
+    };
+    text.split("\n\n").filter(is_live).count()
+}
+
+/// The code spans of the exercise after an example, before the next example or heading.
+fn exercise(text: &str, example: &str) -> Vec<String> {
+    let after = text.split(&format!("](../examples/{example}.nc)")).nth(1).expect("the example");
+    let own = after.lines().skip(1).take_while(|line| !line.starts_with(['[', '#', '!']));
+    let quoted = own.skip_while(|line| !line.starts_with('>')).take_while(|line| line.starts_with('>'));
+    let quoted = quoted.collect::<Vec<_>>().join("\n");
+    quoted.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+fn files() -> BTreeMap<String, String> {
+    pages::files(&folder()).unwrap_or_else(|mistakes| panic!("{mistakes}"))
+}
+
+#[test]
+fn every_page_exists_in_three_languages_with_the_same_examples() {
+    let files = files();
+    let pages = stems("en", ".md");
+    assert!(pages.len() >= 30, "{pages:?}");
+    let count = |ending: &str| files.keys().filter(|name| name.ends_with(ending)).count();
+    assert_eq!(count(".html"), LANGUAGES.len() * pages.len());
+    let mut used = BTreeSet::new();
+    for language in LANGUAGES {
+        assert_eq!(stems(language, ".md"), pages, "{language}");
+        for page in &pages {
+            let (english, own) = (document("en", page), document(language, page));
+            assert_eq!(examples(&own), examples(&english), "{language}/{page}");
+            let html = &files[&format!("{language}/{page}.html")];
+            assert!(html.contains(&format!("<html lang=\"{language}\">")), "{language}/{page}");
+            assert_eq!(html.matches("<gcode-playground ").count(), live_programs(&own), "{language}/{page}");
+            let figures = own.matches("![").count();
+            assert_eq!(html.matches("<figure>").count(), figures, "{language}/{page} has figures");
+            for example in examples(&own) {
+                used.insert(example.to_owned());
+                let program = source(&format!("www/manual/examples/{example}.nc"));
+                let escaped = program.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+                assert!(html.contains(&format!("<pre>\n{escaped}</pre>")), "{language}/{page}: {example}");
+                assert_eq!(
+                    exercise(&own, example),
+                    exercise(&english, example),
+                    "{language}/{page}: {example}"
+                );
+            }
+        }
+    }
+    assert_eq!(used, stems("examples", ".nc"), "each example is on a page");
+}
+
+/// The rows of codes have anchors: `g71-g72.html#g71`.
+#[test]
+fn each_code_that_is_carried_out_has_one_row_in_the_manual() {
+    let files = files();
+    let table = api::codes(CodeList::A, Language::English);
+    let done = table.rows.iter().filter(|row| row.effect == "done");
+    let names = done.flat_map(|row| form::names_of(&row.a));
+    let is_code = |name: &&str| {
+        name.len() > 1 && name[1..].starts_with(|c: char| c.is_ascii_digit()) && name.starts_with(['G', 'M'])
+    };
+    for name in names.filter(is_code) {
+        let id = format!(" id=\"{}\"", form::anchor(name));
+        for language in LANGUAGES {
+            let own = files.iter().filter(|(file, _)| file.starts_with(language));
+            assert_eq!(
+                own.map(|(_, html)| html.matches(&id).count()).sum::<usize>(),
+                1,
+                "{name}, {language}"
+            );
+        }
+    }
+}
+
+#[test]
+fn links_between_the_pages_are_valid_and_each_page_has_its_neighbours() {
+    let files = files();
+    let pages = stems("en", ".md");
+    for (name, html) in files.iter().filter(|(name, _)| name.ends_with(".html")) {
+        let language = name.split('/').next().expect("a folder");
+        for link in [between(html, " href=\"", "\""), between(html, " src=\"", "\"")].concat() {
+            let path = link.split('#').next().unwrap_or_default();
+            let is_valid = match path.strip_prefix("../../") {
+                // Files beside the folder of the pages.
+                Some("index.html" | "element.js") => true,
+                Some(other) => {
+                    let rule = other.strip_prefix(&format!("rules/{language}/"));
+                    let slug = rule.and_then(|rule| rule.strip_suffix(".html"));
+                    slug.is_some_and(|slug| {
+                        Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("src/rules/{slug}.md")).is_file()
+                    })
+                }
+                None => {
+                    let inside =
+                        path.strip_prefix("../").map_or_else(|| format!("{language}/{path}"), str::to_owned);
+                    files.contains_key(&inside)
+                }
+            };
+            assert!(is_valid, "{name}: {link}");
+        }
+    }
+    for language in LANGUAGES {
+        let own = files.iter().filter(|(name, _)| name.starts_with(language));
+        let count = |relation: &str| own.clone().filter(|(_, html)| html.contains(relation)).count();
+        let order = pages.len() - 1;
+        assert_eq!((count("rel=\"next\""), count("rel=\"prev\"")), (order, order), "{language}");
+    }
+}
+
+fn run(text: &str, setup: &Setup) -> Analysis {
+    let mut run = Run::new(text.as_bytes().to_vec(), setup.clone());
+    while !run.advance(usize::MAX) {}
+    let mut analysis = run.into_analysis();
+    analysis.check_at_machine();
+    analysis
+}
+
+/// The differences from the stated results.
+fn differences(text: &str, setup: &Setup, expected: &Value) -> Vec<String> {
+    let analysis = run(text, setup);
+    let mut found = Vec::new();
+    let serious = analysis.diagnostics.iter().filter(|told| told.severity > Severity::Info);
+    let told: BTreeSet<&str> = serious.map(|told| told.message.slug()).collect();
+    let stated = expected["messages"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    if told != stated {
+        found.push(format!("messages {told:?} instead of {stated:?}"));
+    }
+    let rows: Vec<Value> = api::motions(&analysis.motions, &analysis.setup.machine)
+        .map(|row| serde_json::to_value(row).expect("a row"))
+        .collect();
+    if let Some(end) = expected.get("end") {
+        found.extend(same(end, &rows.last().expect("a motion")["to"]).err());
+    }
+    if let Some(count) = expected.get("motions")
+        && count.as_u64() != Some(rows.len() as u64)
+    {
+        found.push(format!("{} motions instead of {count}", rows.len()));
+    }
+    for (line, stated) in expected["lines"].as_object().into_iter().flatten() {
+        let number = line.parse().expect("a line number");
+        let row =
+            rows.iter().rfind(|row| row["line"].as_u64() == Some(number)).expect("a motion of the line");
+        found.extend(same(stated, row).err().map(|why| format!("line {line}: {why}")));
+    }
+    let simulation = SimulationResult::of(&analysis.motions, &analysis.setup);
+    for (z, diameter) in expected["diameters"].as_object().into_iter().flatten() {
+        let part = simulation.finished().expect("a part");
+        let radii = part.radii(z.parse().expect("a Z"));
+        let outside = radii.last().map_or(0.0, |&(_, high)| 2.0 * high);
+        if (outside - diameter.as_f64().expect("a diameter")).abs() > 0.02 {
+            found.push(format!("diameter {outside} at Z{z} instead of {diameter}"));
+        }
+    }
+    found
+}
+
+#[test]
+fn examples_and_exercises_give_the_stated_results() {
+    let setup = Setup::from_json(&source("www/manual/examples/setup.json")).expect("a setup");
+    let pages: BTreeMap<String, String> =
+        stems("en", ".md").into_iter().map(|page| (page.clone(), document("en", &page))).collect();
+    let (mut wrong, mut tries) = (Vec::new(), 0);
+    for example in stems("examples", ".nc") {
+        let text = source(&format!("www/manual/examples/{example}.nc"));
+        let json = source(&format!("www/manual/examples/{example}.json"));
+        let stated: Value = serde_json::from_str(&json).unwrap_or_else(|error| panic!("{example}: {error}"));
+        wrong.extend(differences(&text, &setup, &stated).iter().map(|why| format!("{example}: {why}")));
+        let page = pages.values().find(|page| examples(page).contains(&&*example)).expect("its page");
+        let spans = exercise(page, &example).join(" ");
+        for exercise in stated["tries"].as_array().into_iter().flatten() {
+            tries += 1;
+            let mut changed = text.clone();
+            for (from, to) in exercise["change"].as_object().expect("a change") {
+                let to = to.as_str().expect("a text");
+                assert_eq!(changed.matches(from).count(), 1, "{example}: `{from}`");
+                changed = changed.replace(from, to);
+                for word in from.split_whitespace().chain(to.split_whitespace()) {
+                    // A word that stays the same is not named.
+                    let stays = from.contains(word) && to.contains(word);
+                    assert!(stays || spans.contains(word), "{example}: no exercise with `{word}`");
+                }
+            }
+            let found = differences(&changed, &setup, exercise);
+            wrong.extend(found.iter().map(|why| format!("{example}, {}: {why}", exercise["change"])));
+        }
+    }
+    assert!(tries > 150, "{tries}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_link_alone_to_a_program_is_an_element_and_other_links_lead_to_the_site() {
+    let text = "# A\n\n[b `c`](../examples/axes.nc)\n\nd [e](moves.md) [f](../../../src/rules/no-program-end.md) [g](../../../tests/programs/s003-g71/program.nc)\n";
+    let page =
+        pages::Page::new(text, "a", &folder().join("en")).unwrap_or_else(|mistake| panic!("{mistake}"));
+    assert_eq!(page.body.matches("<gcode-playground ").count(), 1, "{}", page.body);
+    for part in [
+        "language=\"en\"",
+        "caption=\"b c\"",
+        "setup=\"{ &quot;",
+        "href=\"moves.html\"",
+        "href=\"../../rules/en/no-program-end.html\"",
+        "href=\"../../index.html#s003-g71\"",
+    ] {
+        assert!(page.body.contains(part), "{part} is missing in\n{}", page.body);
+    }
+    assert_eq!(page.links, ["moves"]);
+}
+
+#[test]
+fn mistakes_in_a_page_are_found() {
+    for text in [
+        "no heading",
+        "# A\n\n<b>c</b>\n",
+        "# A\n\n[b](none.md)\n",
+        "# A\n\n[b](../examples/none.nc)\n",
+        "# A\n\nb [c](../examples/axes.nc)\n",
+        "# A\n\n[b](http://example.org)\n",
+        "# A\n\n![b](../examples/axes.nc \"cycle:1\")\n",
+        "# A\n\n{form G999}\n",
+        "# A\n\n{codes G999}\n",
+        "# A\n\n{table G71}\n",
+    ] {
+        assert!(pages::Page::new(text, "a", &folder().join("en")).is_err(), "{text}");
+    }
+}

@@ -1,0 +1,401 @@
+//! Renders the manual as HTML: pages with figures, tables of words and live elements.
+//!
+//! In: `www/manual`, with a folder of documents for each language and a folder of examples. Out: files by name: a
+//! page for each document, its figures, and one style sheet. Must not know: the contents of the documents.
+//!
+//! The links of `index.md` give the order of the pages. In a paragraph of its own
+//!
+//! * a link to a program (`[caption](../examples/moves.nc)`) becomes an element with that program,
+//! * an image of a program (`![caption](../examples/g90.nc "cycle:4")`) becomes a figure ([`super::figure`]),
+//! * `{form G71}` becomes the table of the words of a code, and `{codes G40 G41}` rows of codes with anchors
+//!   ([`super::form`]).
+//!
+//! A block quote is an exercise. Links to rule files, programs of the gallery and other pages work in the repository and
+//! on the site. A page that a language lacks is shown in English.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
+
+use gcode_playground::sentences::Language;
+
+use super::site::{anchor, escaped, is_comment, plain};
+use super::{figure, form};
+
+/// The colours come first, so that the pages and the playground share them.
+const STYLES: [&str; 3] =
+    [include_str!("../../src/tokens.css"), include_str!("../../rules/rules.css"), include_str!("manual.css")];
+
+/// Content-Security-Policy: the element and its files come from the host of the page.
+const POLICY: &str = include_str!("manual-policy.html");
+
+/// The list of the pages of a language.
+pub const INDEX: &str = "index";
+
+/// The setup of all examples.
+const SETUP: &str = "setup.json";
+
+/// The groups of controls that the elements show.
+const CONTROLS: &str = "problems views playback status tools help link";
+
+/// The fixed texts of a language.
+struct Words {
+    tag: &'static str,
+    own_name: &'static str,
+    playground: &'static str,
+    manual: &'static str,
+    languages: &'static str,
+    pages: &'static str,
+    next: &'static str,
+    previous: &'static str,
+    in_english: &'static str,
+}
+
+const LANGUAGES: [Words; 3] = [
+    Words {
+        tag: "en",
+        own_name: "English",
+        playground: "G-code playground",
+        manual: "Manual",
+        languages: "Language",
+        pages: "Pages",
+        next: "Next",
+        previous: "Previous",
+        in_english: "",
+    },
+    Words {
+        tag: "zh",
+        own_name: "中文",
+        playground: "G 代码演练场",
+        manual: "手册",
+        languages: "语言",
+        pages: "各页",
+        next: "下一页",
+        previous: "上一页",
+        in_english: "本页尚无中文版，以下为英文。",
+    },
+    Words {
+        tag: "ru",
+        own_name: "Русский",
+        playground: "Песочница G-кода",
+        manual: "Руководство",
+        languages: "Язык",
+        pages: "Страницы",
+        next: "Дальше",
+        previous: "Назад",
+        in_english: "Этой страницы ещё нет на русском языке; ниже она на английском.",
+    },
+];
+
+/// All files by name, or all mistakes in the documents.
+pub fn files(folder: &Path) -> Result<BTreeMap<String, String>, String> {
+    let mut files = BTreeMap::from([("manual.css".to_owned(), STYLES.concat())]);
+    let mut mistakes = Vec::new();
+    for words in &LANGUAGES {
+        match Book::read(&folder.join(words.tag), words) {
+            Ok(book) => files.extend(book.files(words)),
+            Err(found) => mistakes.push(found),
+        }
+    }
+    if mistakes.is_empty() { Ok(files) } else { Err(mistakes.join("\n")) }
+}
+
+/// The pages of a language: first the list, then the others in its order.
+struct Book {
+    pages: Vec<Page>,
+}
+
+impl Book {
+    fn read(folder: &Path, words: &Words) -> Result<Self, String> {
+        let index = Page::read(folder, INDEX, words)?;
+        let listed = index.links.clone();
+        let mut pages = vec![index];
+        for name in &listed {
+            // The list by subject repeats pages of the way through.
+            if !pages.iter().any(|page| page.name == *name) {
+                pages.push(Page::read(folder, name, words)?);
+            }
+        }
+        let documents = fs::read_dir(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+        for path in documents.flatten().map(|entry| entry.path()) {
+            let name = path.file_stem().unwrap_or_default().to_string_lossy();
+            if !pages.iter().any(|page| page.name == name) {
+                return Err(format!("{} is not listed in {INDEX}.md", path.display()));
+            }
+        }
+        Ok(Self { pages })
+    }
+
+    fn files(&self, words: &Words) -> Vec<(String, String)> {
+        let names = |at: usize| format!("{}/{}.html", words.tag, self.pages[at].name);
+        let pages = (0..self.pages.len()).map(|at| (names(at), self.html(at, words)));
+        let figures = self.pages.iter().flat_map(|page| page.figures.iter().cloned());
+        pages.chain(figures).collect()
+    }
+
+    /// A page as HTML, with links to its neighbours.
+    fn html(&self, at: usize, words: &Words) -> String {
+        let page = &self.pages[at];
+        let mut out = String::new();
+        let (tag, file) = (words.tag, format!("{}.html", page.name));
+        let _ = writeln!(out, "<!doctype html>\n<html lang=\"{tag}\">\n<head>\n<meta charset=\"utf-8\">");
+        let _ = writeln!(out, "{}", POLICY.trim_end());
+        out.push_str("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
+        out.push_str("<meta name=\"color-scheme\" content=\"light dark\">\n");
+        let _ = writeln!(out, "<title>{} · {}</title>", escaped(&page.title), words.playground);
+        out.push_str("<link rel=\"stylesheet\" href=\"../manual.css\">\n");
+        if page.is_live {
+            out.push_str("<script type=\"module\" src=\"../../element.js\"></script>\n");
+        }
+        for other in &LANGUAGES {
+            let other = other.tag;
+            let _ = writeln!(out, "<link rel=\"alternate\" hreflang=\"{other}\" href=\"../{other}/{file}\">");
+        }
+        out.push_str("</head>\n<body>\n<header>\n<nav>\n");
+        let _ = writeln!(out, "<a href=\"../../index.html\">{}</a>", words.playground);
+        let current = if at == 0 { " aria-current=\"page\"" } else { "" };
+        let _ = writeln!(out, "<a href=\"{INDEX}.html\"{current}>{}</a>\n</nav>", words.manual);
+        let _ = writeln!(out, "<nav aria-label=\"{}\">", words.languages);
+        for Words { tag: other, own_name, .. } in &LANGUAGES {
+            let _ = if *other == tag {
+                writeln!(out, "<span aria-current=\"true\">{own_name}</span>")
+            } else {
+                let language = format!("lang=\"{other}\" hreflang=\"{other}\"");
+                writeln!(out, "<a {language} href=\"../{other}/{file}\">{own_name}</a>")
+            };
+        }
+        let _ = write!(out, "</nav>\n</header>\n<main>\n{}", page.body);
+        let _ = writeln!(out, "<nav class=\"pages\" aria-label=\"{}\">", words.pages);
+        let neighbours = [(at.checked_sub(1), "prev", words.previous), (Some(at + 1), "next", words.next)];
+        for (at, relation, label) in neighbours {
+            if let Some(Page { name, title, .. }) = at.and_then(|at| self.pages.get(at)) {
+                let title = escaped(title);
+                let _ = writeln!(
+                    out,
+                    "<a rel=\"{relation}\" href=\"{name}.html\"><small>{label}</small> {title}</a>"
+                );
+            }
+        }
+        out.push_str("</nav>\n</main>\n</body>\n</html>\n");
+        out
+    }
+}
+
+/// A rendered document.
+pub struct Page {
+    /// File stem.
+    name: String,
+    /// The text of its first heading.
+    title: String,
+    /// HTML.
+    pub body: String,
+    /// Whether it has an element.
+    is_live: bool,
+    /// The pages that it links to.
+    pub links: Vec<String>,
+    /// Its figures: name of the file, SVG.
+    figures: Vec<(String, String)>,
+}
+
+impl Page {
+    fn read(folder: &Path, name: &str, words: &Words) -> Result<Self, String> {
+        let own = folder.join(format!("{name}.md"));
+        if own.is_file() {
+            return Self::read_file(&own, name, folder);
+        }
+        println!("{} is not translated", own.display());
+        let folder = folder.with_file_name("en");
+        let english = Self::read_file(&folder.join(format!("{name}.md")), name, &folder)?;
+        let note = format!("<p class=\"note\">{}</p>\n", words.in_english);
+        Ok(Self { body: format!("{note}<div lang=\"en\">\n{}</div>\n", english.body), ..english })
+    }
+
+    fn read_file(path: &Path, name: &str, folder: &Path) -> Result<Self, String> {
+        let at = |mistake: String| format!("{}: {mistake}", path.display());
+        let text = fs::read_to_string(path).map_err(|error| at(error.to_string()))?;
+        Self::new(&text, name, folder).map_err(at)
+    }
+
+    /// Renders a document of a folder, which is named after its language. HTML in it is an error, except comments, which are left out.
+    pub fn new(text: &str, name: &str, folder: &Path) -> Result<Self, String> {
+        let events: Vec<Event> = Parser::new_ext(text, Options::ENABLE_TABLES).collect();
+        let mut page = Page {
+            name: name.into(),
+            title: String::new(),
+            body: String::new(),
+            is_live: false,
+            links: vec![],
+            figures: vec![],
+        };
+        let mut shown = Vec::new();
+        let mut at = 0;
+        while let Some(event) = events.get(at) {
+            at += 1;
+            if *event == Event::Start(Tag::Paragraph)
+                && let Some(end) =
+                    events[at..].iter().position(|event| *event == Event::End(TagEnd::Paragraph))
+                && let Some(html) = page.special(&events[at..at + end], folder)?
+            {
+                shown.push(Event::Html(html.into()));
+                at += end + 1;
+                continue;
+            }
+            let rendered = match event {
+                Event::Html(html) | Event::InlineHtml(html) if is_comment(html) => continue,
+                Event::Html(html) | Event::InlineHtml(html) => {
+                    return Err(format!("HTML is not supported: {}", html.trim_end()));
+                }
+                Event::Start(Tag::Heading { level, classes, attrs, .. }) => {
+                    let title = plain(&events[at..], |end| matches!(end, TagEnd::Heading(_)));
+                    let id = Some(anchor(&title).into());
+                    if page.title.is_empty() {
+                        page.title = title;
+                    }
+                    let (level, classes, attrs) = (*level, classes.clone(), attrs.clone());
+                    Event::Start(Tag::Heading { level, id, classes, attrs })
+                }
+                Event::Start(Tag::Link { link_type, dest_url, title, id }) => {
+                    let address = page.address(dest_url, folder)?;
+                    let (link_type, title, id) = (*link_type, title.clone(), id.clone());
+                    Event::Start(Tag::Link { link_type, dest_url: address.into(), title, id })
+                }
+                Event::Code(code) => {
+                    Event::InlineHtml(format!("<code lang=\"en\">{}</code>", escaped(code)).into())
+                }
+                Event::Start(Tag::CodeBlock(_)) => {
+                    Event::Html("<pre lang=\"en\" tabindex=\"0\"><code>".into())
+                }
+                Event::End(TagEnd::CodeBlock) => Event::Html("</code></pre>\n".into()),
+                Event::Start(Tag::Table(_)) => {
+                    shown.push(Event::Html("<div class=\"table\" tabindex=\"0\">\n".into()));
+                    event.clone()
+                }
+                Event::End(TagEnd::Table) => {
+                    shown.push(event.clone());
+                    Event::Html("</div>\n".into())
+                }
+                _ => event.clone(),
+            };
+            shown.push(rendered);
+        }
+        html::push_html(&mut page.body, shown.into_iter());
+        if page.title.is_empty() { Err("no heading".to_owned()) } else { Ok(page) }
+    }
+
+    /// A paragraph that is an element, a figure or a table; `None` for any other.
+    fn special(&mut self, paragraph: &[Event], folder: &Path) -> Result<Option<String>, String> {
+        let language = language_of(folder);
+        if let Some((caption, program)) = example(paragraph) {
+            self.is_live = true;
+            return element(&caption, program, folder).map(Some);
+        }
+        if let [Event::Start(Tag::Image { dest_url, title, .. }), caption @ .., Event::End(TagEnd::Image)] =
+            paragraph
+        {
+            let path = folder.join(&**dest_url);
+            let svg = figure::draw(&path, &setup_of(&path)?, title, language)?;
+            let stem = if path.ends_with("program.nc") { path.parent().unwrap_or(&path) } else { &path };
+            let stem = stem.file_stem().unwrap_or_default().to_string_lossy();
+            let name = format!("figures/{stem}-{}-{}.svg", title.replace(':', "-"), language.tag());
+            let html = figure_of(&name, &svg, caption);
+            self.figures.push((name, svg));
+            return Ok(Some(html));
+        }
+        if let [Event::Text(text)] = paragraph
+            && let Some(directive) = text.strip_prefix('{').and_then(|text| text.strip_suffix('}'))
+        {
+            let mut names = directive.split_whitespace();
+            return match names.next() {
+                Some("form") => form::table(names.next().unwrap_or_default(), language).map(Some),
+                Some("codes") => form::rows(&names.collect::<Vec<_>>(), language).map(Some),
+                _ => Err(format!("there is no directive `{text}`")),
+            };
+        }
+        Ok(None)
+    }
+
+    /// The address on the site of a link in the repository.
+    fn address(&mut self, link: &str, folder: &Path) -> Result<String, String> {
+        if link.starts_with("https://") {
+            return Ok(link.to_owned());
+        }
+        if !folder.join(link).is_file() {
+            return Err(format!("the link `{link}` leads nowhere"));
+        }
+        let stem = |text: &str| text.strip_suffix(".md").map(str::to_owned);
+        let gallery = |text: &str| text.strip_suffix("/program.nc").map(str::to_owned);
+        if let Some(rule) = link.strip_prefix("../../../src/rules/").and_then(stem) {
+            return Ok(format!("../../rules/{}/{rule}.html", language(folder)));
+        }
+        if let Some(program) = link.strip_prefix("../../../tests/programs/").and_then(gallery) {
+            return Ok(format!("../../index.html#{program}"));
+        }
+        match stem(link).filter(|page| !page.contains('/')) {
+            Some(page) => {
+                self.links.push(page.clone());
+                Ok(format!("{page}.html"))
+            }
+            None => Err(format!("the link `{link}` is to nothing on the site")),
+        }
+    }
+}
+
+/// The language of the documents of a folder.
+fn language(folder: &Path) -> Cow<'_, str> {
+    folder.file_name().unwrap_or_default().to_string_lossy()
+}
+
+fn language_of(folder: &Path) -> Language {
+    let tag = language(folder);
+    Language::ALL.into_iter().find(|language| language.tag() == tag).unwrap_or(Language::English)
+}
+
+/// The caption and the program of a paragraph that is only a link to a program.
+fn example<'a>(paragraph: &'a [Event]) -> Option<(String, &'a str)> {
+    let [Event::Start(Tag::Link { dest_url, .. }), caption @ .., Event::End(TagEnd::Link)] = paragraph else {
+        return None;
+    };
+    let is_alone = !caption.iter().any(|event| matches!(event, Event::End(TagEnd::Link)));
+    (is_alone && dest_url.ends_with(".nc")).then(|| (plain(caption, |_| false), &**dest_url))
+}
+
+/// A figure with its caption. Its size is given, so that the text does not move when it is loaded.
+fn figure_of(name: &str, svg: &str, caption: &[Event]) -> String {
+    let size = |attribute: &str| {
+        let from = svg.split(&format!(" {attribute}=\"")).nth(1).unwrap_or_default();
+        from.split('"').next().unwrap_or_default().to_owned()
+    };
+    let (width, height) = (size("width"), size("height"));
+    let alternative = escaped(&plain(caption, |_| false));
+    let mut html = String::new();
+    html::push_html(&mut html, caption.iter().cloned());
+    format!(
+        "<figure>\n<img src=\"../{name}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\" alt=\"{alternative}\">\n\
+         <figcaption>{html}</figcaption>\n</figure>\n"
+    )
+}
+
+/// The setup beside a program.
+fn setup_of(program: &Path) -> Result<String, String> {
+    let path = program.with_file_name(SETUP);
+    fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))
+}
+
+/// The element with a program. Without JavaScript its text is shown.
+fn element(caption: &str, program: &str, folder: &Path) -> Result<String, String> {
+    let path = folder.join(program);
+    let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let setup = setup_of(&path)?;
+    let setup = setup.split_whitespace().collect::<Vec<_>>().join(" ");
+    Ok(format!(
+        "<gcode-playground language=\"{}\" controls=\"{CONTROLS}\" setup=\"{}\" caption=\"{}\">\n<pre>\n{}</pre>\n</gcode-playground>\n",
+        language(folder),
+        escaped(&setup),
+        escaped(caption),
+        escaped(&text),
+    ))
+}
