@@ -14,6 +14,7 @@ use gcode_playground::run::Run;
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::annotation::{Annotation, Shape};
 use gcode_playground::scene::camera::{Camera, Pixel, Size};
+use gcode_playground::scene::face::Face;
 use gcode_playground::scene::occupied::{Occupied, Rectangle};
 use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::scene::placement::{Placed, place};
@@ -117,6 +118,66 @@ fn corners_arcs_and_angles_have_their_sizes() {
     assert_eq!(labels(program, 3, ",C2"), ["C2"]);
     assert_eq!(labels(program, 5, "I5"), ["I = 5"]);
     assert_eq!(labels(program, 6, ",A150"), ["A = 150°"]);
+}
+
+/// Seed 002: at most 1500 rpm is reached at Ø = 1000 v / (π · 1500): 21.2 for 100 m/min, 25.5 for 120, 42.4 for 200.
+#[test]
+fn a_program_that_only_sets_speeds_is_a_chart() {
+    let all = fixtures::all();
+    let fixture = all.iter().find(|fixture| fixture.id == "s002-g50-g96").expect("a fixture");
+    let mut run = run(&fixture.text, &Setup::from_json(&fixture.setup).expect("a setup"));
+    let (chart, annotations) = figures::of_speeds(&mut run).expect("a chart");
+    let texts: Vec<String> = annotations.iter().map(|own| own.label.text(Unit::Millimetre)).collect();
+    for label in ["v = 100", "v = 120", "v = 200", "Ø21.2", "Ø25.5", "Ø42.4", "S = 1500"] {
+        assert!(texts.iter().any(|text| text == label), "{label} is not in {texts:?}");
+    }
+    // 795.8 rpm at Ø40 and 100 m/min is on the first curve.
+    let place = chart.place(40.0, 795.775);
+    let near = chart.moves().scene(None).strokes().any(|stroke| {
+        let (from, to) = (stroke.shape.start(), stroke.shape.end());
+        (from.z..=to.z).contains(&place.z) && (to.x..=from.x).contains(&place.x)
+    });
+    assert!(near, "{place:?}");
+}
+
+/// P is the imaginary tip. With r = 0.2 a taper of 1:5, half angle 5.711°, is 0.2 · (1 + 0.1 − 1.005) = 0.019 mm too
+/// thick on the radius.
+#[test]
+fn the_error_of_a_taper_without_compensation() {
+    let program = "(STOCK D=60 LENGTH=80)\n(TOOL T0101 TYPE=TURNING R=0.2 TIP=3)\nT0101\nG97 S800 M03\n\
+        G00 X44 Z12\nG42 G01 X44 Z10 F0.2\nX50 Z-20\nZ-40\nG40 X64\nM30\n";
+    let run = run(program, &Setup::default());
+    let simulation = SimulationResult::of(run.motions(), &run.setup_at_machine());
+    let nose = figures::of_nose(&simulation, run.motions()).expect("a nose");
+    let Shape::Detail(detail) = nose.shape else { panic!("{nose:?}") };
+    let texts: Vec<String> = detail.annotations.iter().map(|own| own.label.text(Unit::Millimetre)).collect();
+    assert_eq!(texts, ["P", "C", "r = 0.2", "Δ = 0.019"]);
+}
+
+/// The square of seed 002: A(50,0) B(50,25) C(-50,25) D(-50,-25) E(50,-25), seven moves, cutter of 20 mm.
+#[test]
+fn the_square_of_polar_interpolation_has_its_letters() {
+    let all = fixtures::all();
+    let fixture = all.iter().find(|fixture| fixture.id == "s002-g121-square").expect("a fixture");
+    let run = run(&fixture.text, &Setup::from_json(&fixture.setup).expect("a setup"));
+    let simulation = SimulationResult::of(run.motions(), &run.setup_at_machine());
+    let face = Face::of(run.motions(), &simulation).expect("a face");
+    let own = figures::of_face(face.moves());
+    // X is to the right, C upwards.
+    let named: Vec<(&str, f64, f64)> = own
+        .iter()
+        .filter_map(|own| match own.shape {
+            Shape::Point(at) => Some((own.label.name, at.z + at.z, at.x)),
+            _ => None,
+        })
+        .collect();
+    let expected =
+        [("A", 50.0, 0.0), ("B", 50.0, 25.0), ("C", -50.0, 25.0), ("D", -50.0, -25.0), ("E", 50.0, -25.0)];
+    assert_points(&named, &expected);
+    let steps = own.iter().filter(|own| matches!(own.shape, Shape::Step(_))).count();
+    let sizes: Vec<f64> =
+        own.iter().filter(|own| matches!(own.shape, Shape::Axial(_) | Shape::Radial(_))).map(shown).collect();
+    assert_eq!((steps, sizes), (7, vec![50.0, 50.0]));
 }
 
 /// The named points of the figure of a cycle, as diameters.

@@ -138,6 +138,23 @@ fn each_code_that_is_carried_out_has_one_row_in_the_manual() {
     }
 }
 
+/// The links from the table of codes and from the help to the manual.
+#[test]
+fn the_page_knows_the_pages_of_all_codes() {
+    // The formatter breaks long lines.
+    let known = source("www/src/editor/manual-pages.ts").replace(":\n    '", ": '");
+    let mut listed = 0;
+    for page in stems("en", ".md") {
+        let text = document("en", &page);
+        for codes in between(&text, "{codes ", "}") {
+            let [quoted, plain] = [format!("'{page}': '{codes}',"), format!("  {page}: '{codes}',")];
+            assert!(known.contains(&quoted) || known.contains(&plain), "{page}: {codes}");
+            listed += 1;
+        }
+    }
+    assert_eq!(known.matches("',\n").count(), listed, "pages that are not in the manual");
+}
+
 #[test]
 fn links_between_the_pages_are_valid_and_each_page_has_its_neighbours() {
     let files = files();

@@ -10,6 +10,7 @@ use super::Places;
 use crate::assist::Query;
 use crate::assist::complete::{Item, What};
 use crate::assist::fact::Fact;
+use crate::assist::form::Form;
 use crate::assist::hover::Hover;
 use crate::assist::names::{Name, Named};
 use crate::assist::outline::{Entry, Kind, outline};
@@ -17,6 +18,7 @@ use crate::assist::signature::{Place, WhenOmitted};
 use crate::assist::snippet::Piece;
 use crate::assist::state::{Frame, StateTable};
 use crate::assist::uses::uses;
+use crate::control::codes::{self, G, MacroCall};
 use crate::control::modal::State;
 use crate::motion::Motions;
 use crate::sentences::Language;
@@ -108,9 +110,12 @@ pub struct FormHelp {
 /// A block of a form.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+#[serde(rename_all = "camelCase")]
 pub struct FormLine {
     /// The code, as the control writes it.
     pub code: String,
+    /// The code in G-code system A, under which the manual has it; empty if that system lacks it.
+    pub in_manual: String,
     /// Whether it is the requested block.
     pub own: bool,
     /// Its words, in the usual order.
@@ -297,6 +302,7 @@ impl Reader<'_> {
         let own = signature.own;
         let lines = signature.lines.iter().enumerate().map(|(index, (line, places))| FormLine {
             code: line.code.clone(),
+            in_manual: name_in_manual(line.form),
             own: index == own,
             words: places.iter().map(|place| self.form_word(place, index == own, byte)).collect(),
         });
@@ -541,4 +547,18 @@ fn sets(help: &StateHelp, speaker: &Speaker) -> String {
     let variables = help.variables.iter().filter(changed).map(|row| format!("{} = {}", row.name, row.after));
     let list: Vec<String> = rows.chain(variables).collect();
     if list.is_empty() { String::new() } else { speaker.sets(&list) }
+}
+
+/// The code of a form in G-code system A.
+fn name_in_manual(form: Form) -> String {
+    let code = match form {
+        Form::Motion { mode, .. } => G::Motion(mode),
+        Form::Hole { hole, .. } => G::Hole(hole),
+        Form::Multiple(cycle, _) => G::Multiple(cycle),
+        Form::OneShot(code) => code,
+        Form::MacroCall => G::MacroCall(MacroCall::Once),
+        Form::Call(call) => return codes::written_m(call).unwrap_or_default(),
+        Form::Macro | Form::Nothing => return String::new(),
+    };
+    codes::written(code, CodeList::A).unwrap_or_default()
 }

@@ -136,7 +136,7 @@ pub(super) enum Command {
         /// Which side of the spindle the turret is on; X+ is drawn there. That of the setup when left out.
         #[arg(long, value_enum)]
         turret: Option<TurretName>,
-        /// Dimensions and letters over the half-section: `cycle` or `cycle:LINE`, `part`, or `word:LINE:COLUMN`.
+        /// Dimensions and letters over the half-section: `cycle` or `cycle:LINE`, `part`, `nose`, or `word:LINE:COLUMN`.
         #[arg(long, value_parser = Subject::parse)]
         figure: Option<Subject>,
         /// Draw for a printed page, in black and without rulers; the value is the width on paper in mm.

@@ -265,6 +265,24 @@ fn svg(
         )
     };
     match view {
+        ViewName::Section if motions.is_empty() => {
+            let mut run = finished(program);
+            let scale = Scale::of(program.analysis.unit);
+            Ok(match figures::of_speeds(&mut run) {
+                Some((chart, annotations)) => scene::svg::svg(
+                    &chart.moves().scene(None),
+                    &on_paper(
+                        print,
+                        SvgOptions { width: 720.0, scale, annotations, ..SvgOptions::default() },
+                    ),
+                ),
+                None => scene::svg::section(
+                    motions,
+                    Some(&simulation),
+                    &on_paper(print, export::svg_options(program, Language::English)),
+                ),
+            })
+        }
         ViewName::Section => {
             let options = SvgOptions {
                 x_plus: turret.into(),
@@ -295,6 +313,13 @@ fn on_paper(print: Option<u16>, options: SvgOptions) -> SvgOptions {
     }
 }
 
+/// The finished run of a program.
+fn finished(program: &Program) -> Run {
+    let mut run = Run::new(program.text.clone(), program.analysis.setup.clone());
+    while !run.advance(usize::MAX) {}
+    run
+}
+
 /// The options of a section with the annotations of a figure.
 fn figure_options(
     program: &Program,
@@ -303,14 +328,11 @@ fn figure_options(
     language: Language,
 ) -> SvgOptions {
     let options = export::svg_options(program, language);
-    let run = || {
-        let mut run = Run::new(program.text.clone(), program.analysis.setup.clone());
-        while !run.advance(usize::MAX) {}
-        run
-    };
     match figure {
         None => options,
-        Some(subject) => subject.options(options, run, simulation, &program.analysis.motions),
+        Some(subject) => {
+            subject.options(options, || finished(program), simulation, &program.analysis.motions)
+        }
     }
 }
 

@@ -72,6 +72,11 @@ impl Axis {
         format!("{letter} {unit}")
     }
 
+    /// Whether the name is too long for the corner of the rulers; it is then inside the picture.
+    pub fn has_long_name(self) -> bool {
+        matches!(self, Self::FaceX)
+    }
+
     /// Whether the axis is along the bottom edge.
     fn is_level(self) -> bool {
         matches!(self, Self::Z | Self::FaceX)

@@ -22,7 +22,7 @@ use super::marks::{MAX_WITH_ARROWS, MIN_FOR_ARROW, arrow_heads};
 use super::palette::Palette;
 use super::path_index::PathIndex;
 use super::placement::{NEXT, detail_sizes};
-use super::ruler::{Scale, Tick, TickWeight, ticks};
+use super::ruler::{Axis, Scale, Tick, TickWeight, ticks};
 use super::view::Frame;
 use super::work::{Outlines, Work, closed, edges};
 use super::{Plane, Scene, Stroke, StrokeShape, StrokeStyle};
@@ -280,7 +280,7 @@ impl Drawing {
         self.legend(&options.legend);
         self.line("</svg>");
         if !is_print {
-            self.rulers(scene.axes().map(|axis| axis.name(options.scale.symbol)), &along, &across);
+            self.rulers(scene.axes(), options.scale.symbol, &along, &across);
         }
         if let Some((_, rows)) = under {
             self.text.push_str(&rows);
@@ -472,7 +472,7 @@ impl Drawing {
         }
     }
 
-    fn rulers(&mut self, [z, x]: [String; 2], along: &[Tick], across: &[Tick]) {
+    fn rulers(&mut self, axes: [Axis; 2], symbol: &str, along: &[Tick], across: &[Tick]) {
         let Size { width, height } = self.camera.size();
         let (left, bottom) = (LEFT_RULER - 0.5, height - BOTTOM_RULER + 0.5);
         let mut d = format!("M{} 0V{}H{}", number(left), number(bottom), number(width));
@@ -495,8 +495,12 @@ impl Drawing {
         }
         self.line(&format!(r#"<path class="ruler" d="{d}"/>"#));
         self.text.push_str(&labels);
+        let [z, x] = axes.map(|axis| axis.name(symbol));
         self.line(&format!(r#"<text class="name" x="{}" y="16">{x}</text>"#, number(LEFT_RULER + 7.0)));
-        let (right, low) = (number(LEFT_RULER - 4.0), number(height - 7.0));
+        let (right, low) = match axes[0].has_long_name() {
+            true => (number(width - 6.0), number(bottom - 8.0)),
+            false => (number(LEFT_RULER - 4.0), number(height - 7.0)),
+        };
         self.line(&format!(r#"<text class="name z" x="{right}" y="{low}">{z}</text>"#));
     }
 

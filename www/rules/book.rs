@@ -5,6 +5,8 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::path::Path;
+use std::{fs, io};
 
 use gcode_playground::message::{Diagnostic, RULES, Rule, Severity};
 use gcode_playground::sentences::{Language, labels};
@@ -32,8 +34,31 @@ struct Shown<'a> {
     pictures: [Option<(String, Marked)>; 2],
 }
 
-/// All files by name, or the errors in the pages.
-pub fn files(rules: &[RuleFile]) -> Result<BTreeMap<String, String>, String> {
+/// The pages of the manual that link to a rule, by its slug: name and title.
+type InManual = BTreeMap<String, Vec<(String, String)>>;
+
+/// Reads the pages of the manual in a language.
+fn in_manual(folder: &Path) -> io::Result<InManual> {
+    let mut found = InManual::new();
+    let mut paths: Vec<_> = fs::read_dir(folder)?.flatten().map(|entry| entry.path()).collect();
+    paths.sort();
+    for path in paths {
+        let text = fs::read_to_string(&path)?;
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let title = text.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or(&name).to_owned();
+        for rest in text.split("](../../../src/rules/").skip(1) {
+            let slug = rest.split(".md)").next().unwrap_or_default();
+            let pages = found.entry(slug.to_owned()).or_default();
+            if !pages.iter().any(|(other, _)| *other == name) {
+                pages.push((name.clone(), title.clone()));
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// All files by name, or the errors in the pages. `manual`: the folder of the manual, whose pages link to rules.
+pub fn files(rules: &[RuleFile], manual: &Path) -> Result<BTreeMap<String, String>, String> {
     let mut files = BTreeMap::from([("rules.css".to_owned(), STYLES.concat())]);
     let (mut shown, mut slips) = (Vec::new(), Vec::new());
     for rule in rules {
@@ -47,8 +72,10 @@ pub fn files(rules: &[RuleFile]) -> Result<BTreeMap<String, String>, String> {
     }
     for language in Language::ALL {
         let tag = language.tag();
+        let folder = manual.join(tag);
+        let pages = in_manual(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
         for one in &shown {
-            files.insert(format!("{tag}/{}.html", one.rule.slug), one.html(language));
+            files.insert(format!("{tag}/{}.html", one.rule.slug), one.html(language, &pages));
         }
         files.insert(format!("{tag}/index.html"), index(&shown, language));
     }
@@ -77,7 +104,7 @@ impl<'a> Shown<'a> {
         Ok(Self { page, rule, severity: told.severity, told, pictures })
     }
 
-    fn html(&self, language: Language) -> String {
+    fn html(&self, language: Language, manual: &InManual) -> String {
         let words = words(language);
         let (Page { setup, .. }, slug) = (self.page, self.rule.slug);
         let text = self.text(language);
@@ -97,6 +124,14 @@ impl<'a> Shown<'a> {
             [(words.what, &text.what), (words.why, &text.why), (words.repair, &text.repair)]
         {
             put(&mut out, format_args!("<h2>{heading}</h2>\n<p>{}</p>", prose(said)));
+        }
+        if let Some(pages) = manual.get(slug) {
+            put(&mut out, format_args!("<h2>{}</h2>\n<ul>", words.manual));
+            for (name, title) in pages {
+                let address = format!("../../manual/{}/{name}.html", language.tag());
+                put(&mut out, format_args!("<li><a href=\"{address}\">{}</a></li>", prose(title)));
+            }
+            put(&mut out, "</ul>");
         }
         put(&mut out, format_args!("<h2>{}</h2>", words.example));
         if setup != "{}" {

@@ -43,7 +43,7 @@ fn write(folder: &Path) -> Result<usize, String> {
     if !mistakes.is_empty() {
         return Err(mistakes.join("\n"));
     }
-    let mut files = book::files(&rules)?;
+    let mut files = book::files(&rules, &Path::new(PROJECT).join("www/manual"))?;
     for (index, language) in format::LANGUAGES.iter().enumerate() {
         files.insert(format!("{language}/messages.json"), templates::json(&rules, index));
     }

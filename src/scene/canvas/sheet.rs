@@ -191,7 +191,8 @@ pub fn rulers(pen: &Pen, axes: [Axis; 2], view: &View) -> Result<(), JsValue> {
     };
     name(upright, "left", Pixel::new(left + 7.0, 12.0))?;
     // In the corner of the rulers it hides no label.
-    name(level, "right", Pixel::new(left - 4.0, height - 10.0))
+    let corner = Pixel::new(left - 4.0, height - 10.0);
+    name(level, "right", if level.has_long_name() { Pixel::new(width - 6.0, bottom - 12.0) } else { corner })
 }
 
 fn label(pen: &Pen, tick: &Tick, align: &str, at: Pixel, palette: &Palette) -> Result<(), JsValue> {

@@ -105,7 +105,7 @@ impl Drawing {
         }
         self.explain(legend);
         self.line("</svg>");
-        self.rulers(scenes[0].axes().map(|axis| axis.name(options.scale.symbol)), &along, &across);
+        self.rulers(scenes[0].axes(), options.scale.symbol, &along, &across);
         self.line("</svg>");
     }
 

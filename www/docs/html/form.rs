@@ -188,11 +188,16 @@ impl Unit {
 /// the code in each of them.
 pub fn table(code: &str, language: Language) -> Result<String, String> {
     let mut groups: Vec<(Vec<CodeList>, Blocks)> = Vec::new();
-    for list in CodeList::ALL {
-        let Some(blocks) = blocks(code, list) else { continue };
-        match groups.iter_mut().find(|(_, other)| other.key() == blocks.key()) {
-            Some((lists, _)) => lists.push(list),
-            None => groups.push((vec![list], blocks)),
+    for is_whole in [false, true] {
+        for list in CodeList::ALL {
+            let Some(Blocks(all)) = blocks(code, list) else { continue };
+            let own = all.into_iter().filter(|(block, _)| (*block == WHOLE) == is_whole).collect();
+            let blocks = Blocks(own);
+            match groups.iter_mut().find(|(_, other)| other.key() == blocks.key()) {
+                _ if blocks.0.is_empty() => {}
+                Some((lists, _)) => lists.push(list),
+                None => groups.push((vec![list], blocks)),
+            }
         }
     }
     if groups.is_empty() {
@@ -205,13 +210,21 @@ pub fn table(code: &str, language: Language) -> Result<String, String> {
     Ok(out)
 }
 
+/// The number of the one-block form in [`Words::blocks`].
+const WHOLE: usize = 2;
+
 /// The blocks of a form, each with its number in [`Words::blocks`], and their words.
 struct Blocks(Vec<(usize, Vec<CodeWord>)>);
 
 impl Blocks {
-    fn key(&self) -> Vec<(usize, Vec<(&'static [u8], bool, Option<WhenOmitted>)>)> {
-        let of = |word: &CodeWord| (word.letters, word.comma, word.otherwise);
-        self.0.iter().map(|(block, words)| (*block, words.iter().map(of).collect())).collect()
+    /// A text that is the same for the same words.
+    fn key(&self) -> String {
+        let of = |(block, words): &(usize, Vec<CodeWord>)| {
+            let words =
+                words.iter().map(|word| format!("{:?} {} {:?}", word.letters, word.comma, word.otherwise));
+            format!("{block}: {}", words.collect::<Vec<_>>().join(", "))
+        };
+        self.0.iter().map(of).collect::<Vec<_>>().join("; ")
     }
 }
 
@@ -289,7 +302,7 @@ fn write_group(
         words.word, words.meaning, words.unit, words.omitted
     );
     for (block, own) in &blocks.0 {
-        if blocks.0.len() > 1 {
+        if blocks.0.len() > 1 || *block == WHOLE {
             let _ =
                 writeln!(out, "<tr><th colspan=\"4\" scope=\"rowgroup\">{}</th></tr>", words.blocks[*block]);
         }

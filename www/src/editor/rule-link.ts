@@ -8,6 +8,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Diagnostic } from '../protocol/protocol';
+import { manualPageOf } from './manual-pages';
 
 /** The folder of the playground: modules are in it, or in its subfolder `assets` (built) or `src` (development). */
 const HOME = import.meta.url.replace(/((assets|src(\/[^/]+)?)\/)?[^/]*$/, '');
@@ -49,6 +50,15 @@ export function allRulesLink(language: Language): HTMLAnchorElement {
 /** The list of the pages of the manual. */
 export function manualLink(language: Language): HTMLAnchorElement {
   return link('manual', `${language}/index.html`, WORDS[language].manual, language);
+}
+
+/** The page of a code of G-code system A; undefined if the manual has none. */
+export function codeLink(code: string, language: Language): HTMLAnchorElement | undefined {
+  const page = manualPageOf(code);
+  if (page === undefined) return undefined;
+  const made = link('manual', `${language}/${page}`, WORDS[language].manual, language);
+  made.setAttribute('aria-label', `${WORDS[language].manual}: ${code}`);
+  return made;
 }
 
 /** The reference exists in English only. */

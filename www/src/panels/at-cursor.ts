@@ -7,6 +7,7 @@ import { setChildren, icon, make, renderUnbroken, setAccessibleName, setText } f
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import { isCompletionEnabled, setCompletionEnabled } from '../editor/completion-setting';
+import { codeLink } from '../editor/rule-link';
 import { factList, wordLine } from '../editor/word-help';
 import type { FormHelp, FormLine, FormWord, Help, HelpLine, StateHelp, StateRow } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
@@ -352,7 +353,9 @@ class AtCursor implements Panel {
     const rows = form.lines.map((line) =>
       make('p', { className: line.own ? 'form-line own' : 'form-line', lang: 'en' }, ...this.#renderFormWords(line)),
     );
-    const own = form.lines.filter((line) => line.own).flatMap(({ words }) => words);
+    const ownLines = form.lines.filter((line) => line.own);
+    const own = ownLines.flatMap(({ words }) => words);
+    const link = codeLink(ownLines[0]?.inManual ?? '', this.#shell.language);
     const missing = own
       .filter((word) => word.state !== 'there')
       .sort((a, b) => Number(a.optional) - Number(b.optional));
@@ -368,6 +371,7 @@ class AtCursor implements Panel {
       make('h3', { className: 'at-cursor-heading' }, texts.form),
       ...rows,
       ...(items.length === 0 ? [] : [make('ul', { className: 'word-facts' }, ...items)]),
+      ...(link === undefined ? [] : [make('p', {}, link)]),
     ];
   }
 

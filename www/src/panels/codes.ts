@@ -7,6 +7,7 @@ import { make, renderProse } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
+import { codeLink } from '../editor/rule-link';
 import type { CodeRow, Codes } from '../protocol/protocol';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import codesStyles from './codes.css?inline';
@@ -88,6 +89,8 @@ class CodesPanel implements Panel {
       const differing = others.filter(({ key }) => row[key] !== '' && row[key] !== firstCode);
       const description = make('td', {}, ...renderProse(row.does));
       if (row.note !== '') description.append(make('span', { className: 'note' }, row.note));
+      const link = codeLink(row.a.split(/\s/)[0] ?? '', this.#shell.language);
+      if (link !== undefined) description.append(' ', link);
       for (const { key, name } of differing)
         description.append(make('span', { className: 'elsewhere' }, `${name}: `, ...renderCodes(row[key])));
       const element = make(
