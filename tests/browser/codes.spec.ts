@@ -29,6 +29,8 @@ test('the table is opened, filtered, read and closed by keyboard', async ({ page
   await expect(filter).toBeFocused();
   await expect(headings(page)).toHaveText(['FANUC A', 'What it does', 'FANUC B', 'FANUC C', 'GSK', 'Group']);
   await expect(row(page, 'G01')).toContainText('straight cut');
+  const manual = row(page, 'G01').getByRole('link', { name: 'Manual: G01' });
+  await expect(manual).toHaveAttribute('href', /\/manual\/en\/lines-and-arcs\.html#g01$/);
   await expect(row(page, 'M08')).toHaveCount(0);
   await expect(row(page, 'M07 M08 M09')).toContainText('no effect on the path');
   await expect(row(page, 'G51.2')).toContainText('not supported here');
