@@ -418,6 +418,33 @@ fn figures_on_paper_are_the_committed_ones() {
     }
 }
 
+/// Arrow heads of the rapids of G90 from X32 Z2 to X26 Z-30: down to the cut, and back to the right. The tip comes first.
+#[test]
+fn arrows_point_in_the_direction_of_the_move() {
+    let program = "G00 X32 Z2 M03 S400\nG90 X26 Z-30 F0.1\nM30\n";
+    let mut run = run(program, &Setup::default());
+    let Figure { annotations, motions } = figures::of_cycle(&mut run, 20);
+    let options = SvgOptions { annotations, motions: Some(motions), ..SvgOptions::default() };
+    let picture = section(run.motions(), None, &options);
+    let heads = picture.split(r#"class="arrow rapid" d="M"#).nth(1).expect("arrow heads");
+    let heads = heads.split('"').next().expect("a path");
+    let mut directions = Vec::new();
+    for head in heads.split('Z').filter(|head| !head.is_empty()) {
+        let corners: Vec<(f64, f64)> = head
+            .trim_start_matches('M')
+            .split('L')
+            .map(|corner| {
+                let (x, y) = corner.split_once(' ').expect("two numbers");
+                (x.parse().expect("a number"), y.parse().expect("a number"))
+            })
+            .collect();
+        let back = ((corners[1].0 + corners[2].0) / 2.0, (corners[1].1 + corners[2].1) / 2.0);
+        directions.push(((corners[0].0 - back.0).round(), (corners[0].1 - back.1).round()));
+    }
+    assert!(directions.contains(&(0.0, 8.0)) && directions.contains(&(8.0, 0.0)), "{directions:?}");
+    assert!(!directions.contains(&(-8.0, 0.0)), "{directions:?}");
+}
+
 /// The labels of a program that are omitted, in the window of a page 1440 pixels wide and on paper 160 mm wide; a
 /// label that meets another label, a stroke, a line or the border is a failure, also on paper 80 mm wide.
 fn omitted(name: &str, mut run: Run) -> Vec<String> {

@@ -355,8 +355,8 @@ impl Own {
         }
     }
 
-    /// The middle of the longest piece of the last pass along the contour in the direction of an axis; without such a
-    /// piece, the end of the contour.
+    /// The middle of the longest piece of the last pass along the contour in the direction of an axis, preferably
+    /// parallel to it; without such a piece, the end of the contour.
     fn middle_of_contour(&self, axis: Along) -> Option<Point> {
         let length = |motion: &Motion| match axis {
             Along::X => (motion.to.x - motion.from.x).abs(),
@@ -367,7 +367,11 @@ impl Own {
         let pieces = self
             .steps(Step::Contour)
             .filter(|motion| pass(motion) == pass(last) && motion.arc().is_none() && along(motion) == axis);
-        let longest = pieces.max_by(|a, b| length(a).total_cmp(&length(b)));
+        let is_parallel = |motion: &Motion| motion.length() - length(motion) < SAME_VALUE;
+        let order = |a: &&Motion, b: &&Motion| {
+            is_parallel(a).cmp(&is_parallel(b)).then(length(a).total_cmp(&length(b)))
+        };
+        let longest = pieces.max_by(order);
         let middle = longest.map(|piece| halfway(piece.from, piece.to));
         Some(middle.unwrap_or(last.to))
     }

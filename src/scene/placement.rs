@@ -107,7 +107,12 @@ fn place_in(
     camera: &Camera,
     unit: Unit,
 ) -> Placed {
+    let points = annotations.iter().filter_map(|own| match own.shape {
+        Shape::Point(at) => Some(camera.to_screen(at)),
+        _ => None,
+    });
     let mut placing = Placing {
+        points: points.collect(),
         camera,
         unit,
         room,
@@ -136,6 +141,8 @@ fn place_in(
 
 /// The annotations that are placed, and the free space.
 struct Placing<'a> {
+    /// The named points.
+    points: Vec<Pixel>,
     camera: &'a Camera,
     unit: Unit,
     /// The area for all labels.
@@ -448,11 +455,18 @@ impl Placing<'_> {
         Candidates { full, notes }
     }
 
-    /// A letter beside its point; with a leader line if another point is so near that the letters could be confused.
+    /// A letter beside its point. If another point is so near that the letters could be confused, it has a leader line,
+    /// and is on the side away from the other point.
     fn letters(&self, at: Pixel, size: [f64; 2]) -> Vec<Candidate> {
         let mut all = around_point(at, size, true);
-        if self.placed.dots.iter().any(|other| other.distance(at) < BESIDE) {
-            all.retain(|candidate| !candidate.lines.is_empty());
+        let near = |other: &&Pixel| (0.1..BESIDE).contains(&other.distance(at));
+        if let Some(other) = self.points.iter().find(near) {
+            let away = direction(*other, at);
+            let side = |candidate: &Candidate| {
+                let middle = candidate.area.middle();
+                (middle.x - at.x) * away.x + (middle.y - at.y) * away.y
+            };
+            all.retain(|candidate| !candidate.lines.is_empty() && side(candidate) > 0.0);
         }
         all
     }

@@ -460,7 +460,7 @@ impl Drawing {
         let rapids = [StrokeStyle::Rapid].into_iter().filter(|_| is_figure);
         for style in rapids.chain([StrokeStyle::Feed, StrokeStyle::Thread]) {
             let strokes = drawn(scene, options).filter(|stroke| stroke.style == style && !stroke.uncertain);
-            let heads = arrow_heads(strokes.map(|stroke| self.apart.shape(&stroke)), &self.camera, least);
+            let heads = arrow_heads(strokes.map(|stroke| self.apart.directed(&stroke)), &self.camera, least);
             if heads.is_empty() {
                 continue;
             }

@@ -87,6 +87,14 @@ impl Apart {
         }
     }
 
+    /// The displaced shape of a stroke in the direction of the move; dashes of rapids may be drawn the other way round.
+    pub(super) fn directed(&self, stroke: &Stroke) -> StrokeShape {
+        match (self.shape(stroke), stroke.drawn_shape().start() == stroke.shape.start()) {
+            (StrokeShape::Line { from, to }, false) => StrokeShape::Line { from: to, to: from },
+            (shape, _) => shape,
+        }
+    }
+
     /// Where a point of the section is drawn: displaced if it is on displaced strokes only.
     pub(super) fn point(&self, scene: &Scene, at: Point) -> Point {
         if self.places.is_empty() {
@@ -187,10 +195,11 @@ impl Apart {
     }
 }
 
-/// Distance between the columns of pecks, mm; infinite for one column.
-fn pitch_of(motions: &Motions, mut call: Range<usize>) -> f64 {
-    let over = call.find(|&index| motions.get(index).cycle.is_some_and(|step| step.step == Step::Stepover));
-    over.map_or(f64::INFINITY, |index| motions.get_on_workpiece(index).length())
+/// Least distance between two columns of pecks, mm; infinite for one column.
+fn pitch_of(motions: &Motions, call: Range<usize>) -> f64 {
+    let is_over = |index: &usize| motions.get(*index).cycle.is_some_and(|step| step.step == Step::Stepover);
+    let lengths = call.filter(is_over).map(|index| motions.get_on_workpiece(index).length());
+    lengths.fold(f64::INFINITY, f64::min)
 }
 
 /// The share of a stroke at a point on it, from 0 to 1; `None` if the point is not on it.
