@@ -440,7 +440,7 @@ impl Current {
     pub fn set_cursor(&mut self, offset: Option<u32>) {
         self.view_state.cursor = offset;
         if self.view_state.annotate != Annotate::Part {
-            self.section_mut().annotations.clear();
+            self.clear_annotations();
         }
         // If nothing is measured yet, `measure` will highlight them.
         if self.derived.measured {
@@ -451,7 +451,7 @@ impl Current {
     /// Chooses the annotations; [`Self::annotate`] makes them.
     pub fn set_annotate(&mut self, annotate: Annotate) {
         self.view_state.annotate = annotate;
-        self.section_mut().annotations.clear();
+        self.clear_annotations();
         let frame = match annotate {
             Annotate::None | Annotate::Word => None,
             Annotate::Cycle => Some(Frame::Cuts),
@@ -460,8 +460,12 @@ impl Current {
         self.look(Plane::Section, |view, scene| view.set_labels(scene, frame));
     }
 
+    fn clear_annotations(&mut self) {
+        self.view_state.views.iter_mut().for_each(|view| view.annotations.clear());
+    }
+
     /// Makes the chosen annotations of the finished run. `asked`: the place of the cursor, and the execution of
-    /// its block; otherwise those of a cycle are at the tool.
+    /// its block.
     pub fn annotate(&mut self, asked: Option<(u32, &Found)>) {
         let annotations = match self.view_state.annotate {
             Annotate::None => Vec::new(),
@@ -471,8 +475,7 @@ impl Current {
             }),
             Annotate::Cycle => {
                 let first = || figures::first_cycle(&self.run).filter(|_| self.view_state.cursor.is_none());
-                let at_cursor = asked.map(|(byte, _)| byte);
-                let byte = at_cursor.or_else(|| self.cycle_at_step()).or_else(first);
+                let byte = asked.map(|(byte, _)| byte).or_else(first);
                 byte.map_or_else(Vec::new, |byte| figures::of_cycle(&mut self.run, byte).annotations)
             }
             Annotate::Part => self.machined_part().map_or_else(Vec::new, |machined| {
@@ -484,13 +487,6 @@ impl Current {
         let milled = self.moves(Plane::Face).filter(|_| self.view_state.annotate == Annotate::Cycle);
         let letters = milled.map_or_else(Vec::new, figures::of_face);
         self.view_state.views[Plane::Face].annotations = letters;
-    }
-
-    /// The first byte of the block that calls the cycle whose motion the tool has just finished.
-    fn cycle_at_step(&self) -> Option<u32> {
-        let motion = self.section().playhead?.motion;
-        let motions = self.run.motions();
-        motions.glance(motion).is_of_cycle.then(|| motions.span(motion).start)
     }
 
     /// Marks the stroke under the pointer.

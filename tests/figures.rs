@@ -6,6 +6,7 @@
 use std::fmt::Write;
 
 use expect_test::expect_file;
+use gcode_playground::export::figure::Subject;
 use gcode_playground::export::file::caption;
 use gcode_playground::figures::{self, Figure};
 use gcode_playground::geometry::Point;
@@ -416,6 +417,30 @@ fn figures_on_paper_are_the_committed_ones() {
             expect_file![format!("figures/{name}-{width}.svg")].assert_eq(&picture);
         }
     }
+}
+
+/// U/2 and W lead to the programmed end of a thread, not to the start of its pull-out: from X32 Z5 to X29 Z-20.
+#[test]
+fn the_distances_of_a_thread_include_its_pull_out() {
+    let setup = Setup::from_json(r#"{"dialect": {"control": "gsk"}}"#).expect("a setup");
+    let mut run = run("G00 X32 Z5 M03 S300\nG92 X29 Z-20 F2 J2 K3\nM30\n", &setup);
+    let figure = figures::of_cycle(&mut run, 20);
+    let texts: Vec<String> = figure.annotations.iter().map(|own| own.label.text(Unit::Millimetre)).collect();
+    assert!(
+        ["U/2 = −1.5", "W = −25"].iter().all(|label| texts.iter().any(|text| text == label)),
+        "{texts:?}"
+    );
+}
+
+/// A column beyond the line is its end.
+#[test]
+fn a_figure_of_a_column_beyond_the_line_is_empty() {
+    let subject = Subject::parse("word:2:4294967295").expect("a subject");
+    let run = || run("G00 X32 Z2\nG01 Z-5 F1\nM30\n", &Setup::default());
+    let finished = run();
+    let simulation = SimulationResult::of(finished.motions(), &finished.setup_at_machine());
+    let options = subject.options(SvgOptions::default(), run, &simulation, finished.motions());
+    assert!(options.annotations.is_empty());
 }
 
 /// Arrow heads of the rapids of G90 from X32 Z2 to X26 Z-30: down to the cut, and back to the right. The tip comes first.

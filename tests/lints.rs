@@ -155,6 +155,11 @@ fn a_cut_with_the_spindle_stopped_is_reported_once() {
         program("M05", crash),
         ["cut-with-spindle-stopped", "rapid-through-stock", "rapid-through-stock"]
     );
+    // So is a crash of the next tool, and one after the tool has left the work.
+    let other = "X100 Z50\nT0202\nX62 Z5\nZ-30\nX40\n";
+    assert!(program("M05", other).contains(&"rapid-through-stock".to_owned()));
+    let later = "X70 Z5\nZ-30\nX40\n";
+    assert!(program("M05", later).contains(&"rapid-through-stock".to_owned()));
     assert_eq!(program("", ""), [""; 0]);
 }
 

@@ -63,7 +63,8 @@ impl Subject {
             Self::Word { line, column } => {
                 let mut run = run();
                 let (start, end) = line_of(&run, line);
-                let annotations = figures::of_word(&mut run, (start + column - 1).min(end));
+                let byte = start.saturating_add(column.saturating_sub(1)).min(end);
+                let annotations = figures::of_word(&mut run, byte);
                 // A dimension is true only between passes in place.
                 SvgOptions { annotations, passes: Passes::InPlace, ..options }
             }
@@ -96,6 +97,6 @@ impl Subject {
 /// First and last byte of a line, from 1.
 fn line_of(run: &Run, line: u32) -> (u32, u32) {
     let lines = LineIndex::new(run.text());
-    let span = lines.line(run.text(), (line - 1).min(lines.len() - 1));
+    let span = lines.line(run.text(), line.saturating_sub(1).min(lines.len() - 1));
     (span.start, span.end)
 }

@@ -31,7 +31,9 @@ pub fn letters(asked: &Query, motions: &Motions, landmarks: &[Landmarks]) -> Vec
         Cycle::Turning | Cycle::Facing | Cycle::Threading => {
             points.extend(step(Step::Cut).map(|cut| (cut.from, "B")));
             points.extend(step(Step::Cut).map(|cut| (cut.to, "C")));
-            points.extend(step(Step::Retract).map(|retract| (retract.to, "D")));
+            // A pull-out may end at the height of the start.
+            let out = step(Step::Retract).or_else(|| step(Step::PullOut));
+            points.extend(out.map(|out| (out.to, "D")));
             for (wanted, name) in STEPS {
                 let motion = step(wanted).filter(|motion| motion.length() > 0.0);
                 steps.extend(motion.map(|motion| Annotation::step([motion.from, motion.to], name)));
@@ -58,7 +60,8 @@ pub fn letters(asked: &Query, motions: &Motions, landmarks: &[Landmarks]) -> Vec
         Cycle::MultiThreading => {
             points.extend(step(Step::Cut).map(|cut| (cut.from, "B")));
             points.extend(last(Step::Cut).map(|cut| (cut.from, "C")));
-            if let Some((cut, out)) = last(Step::Cut).zip(last(Step::Retract)) {
+            let out = last(Step::Retract).or_else(|| last(Step::PullOut));
+            if let Some((cut, out)) = last(Step::Cut).zip(out) {
                 points.push((Point::new(cut.to.x, out.to.z), "D"));
                 points.push((out.to, "E"));
             }
@@ -91,7 +94,13 @@ pub fn distances(asked: &Query, motions: &Motions, all: &[Annotation]) -> Vec<An
         Some(Cycle::Pattern) => (["Δi + Δu/2", "Δk + Δw"], ends_at(Step::Approach)),
         _ => return Vec::new(),
     };
-    let Some(end) = end.map(|motion| motion.to) else { return Vec::new() };
+    let out = ends_at(Step::Retract).or_else(|| ends_at(Step::PullOut));
+    let word = all.iter().find_map(|own| match own.label.value {
+        Some(Measure::Coordinate('Z', z)) => Some(z),
+        _ => None,
+    });
+    let z = word.or(out.map(|out| out.to.z));
+    let Some(end) = end.map(|cut| programmed_end(&cut, z)) else { return Vec::new() };
     let (x, z) = (end.x - first.from.x, end.z - first.from.z);
     // Beside the end of the cut, and above the way back: there are no other strokes.
     let start = first.from;
@@ -101,6 +110,16 @@ pub fn distances(asked: &Query, motions: &Motions, all: &[Annotation]) -> Vec<An
         shape.is_visible() && !all.iter().any(|other| other.label.name == *name)
     });
     missing.map(|(name, (shape, mm))| Annotation::dimension(shape, name, Measure::Length(mm))).collect()
+}
+
+/// The programmed end of a cut. A thread is left before it; `z`: the Z of its end.
+fn programmed_end(cut: &Motion, z: Option<f64>) -> Point {
+    let is_thread = cut.cycle.is_some_and(|step| step.cycle == Cycle::Threading);
+    let length = cut.to.z - cut.from.z;
+    match z.filter(|_| is_thread && length.abs() > SAME_DEPTH) {
+        Some(z) => Point::new(cut.from.x + (cut.to.x - cut.from.x) * (z - cut.from.z) / length, z),
+        None => cut.to,
+    }
 }
 
 /// Numbers the passes of G73, whose number is no length: `1` at the first one, `d = 10` at the last one.
@@ -210,7 +229,9 @@ pub fn with_infeed(mut all: Vec<Annotation>, asked: &Query, motions: &Motions) -
             motion.cycle.is_some_and(|own| own.cycle == Cycle::MultiThreading && own.step == Step::Cut)
         })
         .collect();
-    let Some(detail) = infeed(&all, &cuts) else { return all };
+    let start = asked.visit.map_or(0, |visit| visit.motions.start);
+    let home = motions.get_on_workpiece(start).from.x;
+    let Some(detail) = infeed(&all, &cuts, home) else { return all };
     all.retain(|annotation| !DEPTHS.contains(&annotation.label.name));
     all.push(Annotation::detail(detail));
     all
@@ -221,7 +242,8 @@ const DEPTHS: [&str; 5] = ["k", "Δd", "Δd min", "d", "a"];
 
 /// The groove of a thread with the edges of each pass, and its depths: `Δd` of the first, `Δd√2` of the second,
 /// `Δd√n` of the last one that follows this law, then the least infeed and the allowance.
-fn infeed(all: &[Annotation], cuts: &[Motion]) -> Option<Detail> {
+/// `home`: X of the start of the cycle, a radius, mm.
+fn infeed(all: &[Annotation], cuts: &[Motion], home: f64) -> Option<Detail> {
     let value = |name: &str| all.iter().find(|own| own.label.name == name)?.label.value;
     let length = |name: &str| match value(name) {
         Some(Measure::Length(mm)) => Some(mm),
@@ -233,7 +255,8 @@ fn infeed(all: &[Annotation], cuts: &[Motion]) -> Option<Detail> {
         _ => 0.0,
     };
     let (first, last) = (cuts.first()?.from, cuts.last()?.from);
-    let out = (first.x - last.x).signum();
+    let above = if (first.x - last.x).abs() > SAME_DEPTH { first.x } else { home };
+    let out = (above - last.x).signum();
     let crest = last.x + out * height;
     let mut tips: Vec<Point> = Vec::new();
     for cut in cuts.iter().take(MAX_PASSES) {
@@ -296,13 +319,15 @@ pub fn shown(motions: &Motions, first: usize) -> Vec<Range<usize>> {
     let cycle = |index: usize| motions.get(index).cycle.map(|step| step.cycle);
     let own = cycle(first);
     let end_of = |from: usize, own: Option<Cycle>| {
-        (from..motions.len()).find(|&index| cycle(index) != own).unwrap_or(motions.len())
+        let end = motions.len().min(from + MAX_MOTIONS);
+        (from..end).find(|&index| cycle(index) != own).unwrap_or(end)
     };
     let before = (first.saturating_sub(MAX_MOTIONS)..first).rev().take_while(|&index| cycle(index) == own);
     let calls = before.last().unwrap_or(first)..end_of(first, own);
     let finishing = match own {
         Some(Cycle::RoughTurning | Cycle::RoughFacing | Cycle::Pattern) => {
-            let next = (calls.end..motions.len()).find(|&index| cycle(index).is_some());
+            let end = motions.len().min(calls.end + MAX_MOTIONS);
+            let next = (calls.end..end).find(|&index| cycle(index).is_some());
             next.filter(|&index| cycle(index) == Some(Cycle::Finishing))
         }
         _ => None,

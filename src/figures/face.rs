@@ -22,6 +22,7 @@ pub fn of_face(moves: &SurfaceMoves) -> Vec<Annotation> {
     let cuts: Vec<(usize, Motion)> = (0..motions.len())
         .map(|index| (index, motions.get_on_workpiece(index)))
         .filter(|(_, motion)| motion.kind != MotionKind::Dwell && motion.kind.cuts() && motion.length() > 0.0)
+        .take(NUMBERS.len() + 1)
         .collect();
     if cuts.is_empty() || cuts.len() > NUMBERS.len() {
         return Vec::new();

@@ -75,9 +75,14 @@ pub fn of_cycle(run: &mut Run, byte: u32) -> Figure {
         return Figure::default();
     }
     all.extend(cycle::dimensions(&asked, run.motions()));
-    let lines = LineIndex::new(run.text());
-    let line = lines.line_of(byte);
-    let before = line.checked_sub(1).map(|before| lines.line(run.text(), before).start);
+    let is_second = asked.visit.is_some_and(|visit| {
+        let form = Form::of(&block, &visit.before.state, run.code_list());
+        matches!(form, Form::Multiple(_, CycleBlock::Second))
+    });
+    let before = Some(byte).filter(|_| is_second).and_then(|byte| {
+        let lines = LineIndex::new(run.text());
+        lines.line_of(byte).checked_sub(1).map(|before| lines.line(run.text(), before).start)
+    });
     if let Some(found) = before.and_then(|before| replay(run, before)) {
         let block = found.block(run);
         let first = Query::new(run, &found, &block);
@@ -120,9 +125,7 @@ pub fn of_tool(
 /// The first byte of the block that calls the first cycle of a program that has finished.
 pub fn first_cycle(run: &Run) -> Option<u32> {
     let motions = run.motions();
-    (0..motions.len())
-        .find(|&index| motions.get(index).cycle.is_some())
-        .map(|index| motions.span(index).start)
+    (0..motions.len()).find(|&index| motions.glance(index).is_of_cycle).map(|index| motions.span(index).start)
 }
 
 /// The execution of the block at a byte; `None` if it comes after too many blocks.

@@ -12,7 +12,7 @@ use crate::scene::annotation::{Annotation, Detail, Measure, Shape};
 /// Number of corners of the circle.
 const CORNERS: u32 = 48;
 
-/// The nose at the middle of the first taper that is cut with G41 or G42. Without compensation P moves along the
+/// The nose at the middle of the first taper that a tool for outside turning cuts with G41 or G42. Without compensation P moves along the
 /// programmed line, and the nose cuts a parallel line. `Δ` is their distance along X, on the radius. `None` without a
 /// taper, or if the nose radius is not known.
 pub fn of_nose(simulation: &SimulationResult, motions: &Motions) -> Option<Annotation> {
@@ -20,13 +20,14 @@ pub fn of_nose(simulation: &SimulationResult, motions: &Motions) -> Option<Annot
         let (x, z) = (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
         motion.kind.cuts() && motion.arc().is_none() && x.abs() > 1e-3 && z.abs() > 1e-3
     };
-    let all = (0..motions.len()).map(|index| motions.get_on_workpiece(index));
+    // Its nose is above and to the right of its tip.
+    let turns_outside = |motion: &Motion| simulation.resolved_setup().tool(motion).tool.tip_direction() == 3;
+    let all = (0..motions.len()).map(|index| motions.get_on_workpiece(index)).filter(turns_outside);
     let (taper, motion) =
         all.filter_map(|motion| Some((motion.as_programmed()?, motion))).find(|(own, _)| oblique(own))?;
     let tool = simulation.resolved_setup().tool(&motion);
     let radius = Some(tool.shape.nose).filter(|radius| *radius > 0.0)?;
     let tip = Point::new((taper.from.x + taper.to.x) / 2.0, (taper.from.z + taper.to.z) / 2.0);
-    // The nose of a tool that turns outside towards the chuck is above and to the right of its tip.
     let center = Point::new(tip.x + radius, tip.z + radius);
     let (x, z) = (taper.to.x - taper.from.x, taper.to.z - taper.from.z);
     let slope = x / z;
@@ -41,8 +42,9 @@ pub fn of_nose(simulation: &SimulationResult, motions: &Motions) -> Option<Annot
         Point::new(center.x + radius * sin, center.z + radius * cos)
     });
     let measured = vec![Point::new(center.x, tip.z), tip, Point::new(tip.x, center.z)];
-    let [side, end] = [tip.z + 2.8 * radius, -0.7];
-    let on = Point::new(center.x - radius * end, center.z + radius * (1.0 - end * end).sqrt());
+    let side = tip.z + 2.8 * radius;
+    let (sin, cos) = 45f64.to_radians().sin_cos();
+    let on = Point::new(center.x + radius * sin, center.z + radius * cos);
     let annotations = vec![
         Annotation::point(tip, "P"),
         Annotation::point(center, "C"),

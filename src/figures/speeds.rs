@@ -8,7 +8,6 @@ use crate::run::Run;
 use crate::scene::annotation::{Annotation, Measure, Shape};
 use crate::scene::speed_chart::{Curve, SpeedChart};
 use crate::source::{LineIndex, Span};
-use crate::units::Diameter;
 
 /// Maximum number of lines that are looked at.
 const MAX_LINES: u32 = 200;
@@ -23,6 +22,10 @@ pub fn of_speeds(run: &mut Run) -> Option<(SpeedChart, Vec<Annotation>)> {
     let lines = LineIndex::new(run.text());
     for line in 0..lines.len().min(MAX_LINES) {
         let span = lines.line(run.text(), line);
+        let sets_speed = |byte: &u8| matches!(byte.to_ascii_uppercase(), b'S' | b'Q');
+        if !span.of(run.text()).iter().any(sets_speed) {
+            continue;
+        }
         let Some(visit) = replay(run, span.start).and_then(|found| found.visit) else { continue };
         let state = &visit.after.state;
         let spindle = &state.spindle;
@@ -38,6 +41,8 @@ pub fn of_speeds(run: &mut Run) -> Option<(SpeedChart, Vec<Annotation>)> {
             process,
             block,
         };
+        // The limits may follow the speed in a block of their own.
+        curves.pop_if(|last| last.cutting_speed == curve.cutting_speed);
         let values = |own: &Curve| (own.cutting_speed, own.highest, own.lowest);
         if !curves.iter().any(|other| values(other) == values(&curve)) {
             curves.push(curve);
@@ -54,18 +59,17 @@ pub fn of_speeds(run: &mut Run) -> Option<(SpeedChart, Vec<Annotation>)> {
         let at = blank.unwrap_or(0.8 * diameter);
         annotations.push(note(at, curve.speed(at), "n", Measure::Count(curve.speed(at).round())));
         annotations.push(note(0.9 * at, curve.speed(0.9 * at), "v", Measure::Count(curve.cutting_speed)));
-        for limit in curve.limits().into_iter().flatten().filter(|limit| *limit < diameter) {
-            let rounded = Diameter::new((10.0 * limit).round() / 10.0).mm();
+        for limit in curve.limits_until(diameter) {
+            let rounded = (10.0 * limit).round() / 10.0;
             annotations.push(note(limit, curve.speed(limit), "", Measure::Diameter(rounded)));
         }
     }
     let mut limits: Vec<(f64, &'static str)> = Vec::new();
     for curve in &curves {
-        limits.extend(
-            curve.highest.map(|speed| (speed, "S")).into_iter().chain(curve.lowest.map(|speed| (speed, "Q"))),
-        );
+        for limit in [curve.highest.map(|speed| (speed, "S")), curve.lowest.map(|speed| (speed, "Q"))] {
+            limits.extend(limit.filter(|limit| !limits.contains(limit)));
+        }
     }
-    limits.dedup();
     for (speed, name) in limits {
         let at = if name == "S" { 0.0 } else { diameter };
         annotations.push(note(at, speed, name, Measure::Count(speed)));

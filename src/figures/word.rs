@@ -257,8 +257,10 @@ impl Own {
                 let cuts: Vec<Motion> = self.steps(Step::Cut).copied().collect();
                 let depth = |pair: &[Motion]| (pair[0].from.x - pair[1].from.x).abs();
                 let is_reached = |pair: &&[Motion]| (depth(pair) - value.unwrap_or(0.0)).abs() < SAME_VALUE;
-                // The last infeed is the finishing allowance, which may be as large.
-                let pair = cuts[..cuts.len().saturating_sub(1)].windows(2).find(is_reached)?;
+                // The infeed to the last depth is the finishing allowance, which may be as large.
+                let last = cuts.last()?.from.x;
+                let end = cuts.iter().position(|cut| (cut.from.x - last).abs() < SAME_VALUE)?;
+                let pair = cuts[..end].windows(2).find(is_reached)?;
                 word(Shape::Radial([pair[0].from, pair[1].from]), "Δd min", value?)
             }
             ThreadAllowance => {

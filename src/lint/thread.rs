@@ -141,10 +141,10 @@ impl Threads {
     /// turns the tap out itself.
     pub fn cuts(&mut self, pass: &ThreadPass, code: &str, at: &EventContext, reports: &mut Vec<Diagnostic>) {
         let is_cycle = code == TAPPING_CYCLE;
-        if is_cycle {
-            tap_at_surface_speed(pass.block, at, reports);
-        } else {
+        if !is_cycle {
             self.tap_moves(pass, at, reports);
+        } else if is_on_axis(pass.start, pass.end) {
+            tap_at_surface_speed(pass.block, at, reports);
         }
         if !is_cycle && !is_on_axis(pass.start, pass.end) {
             self.pass(pass, at, reports);

@@ -81,9 +81,9 @@ pub struct DangerDetector {
     travel: Travel,
     missed: Vec<u16>,
     misuse: Misuse,
-    /// Whether a tool was fed into the material with the spindle stopped. Until the spindle turns, it leaves
-    /// through material that the cut should have removed, so its rapid moves are not reported.
-    stopped_inside: bool,
+    /// The station of a tool that was fed into the material with the spindle stopped. It leaves through material
+    /// that the cut should have removed, so its rapid moves are not reported until it is outside.
+    stopped_inside: Option<u16>,
     /// The cuts of live tools.
     live_cuts: LiveCuts,
     /// Angle of C, degrees.
@@ -127,7 +127,7 @@ impl DangerDetector {
             travel: setup.machine.travel,
             missed: Vec::new(),
             misuse: Misuse::default(),
-            stopped_inside: false,
+            stopped_inside: None,
             live_cuts: LiveCuts::default(),
             c: 0.0,
             before: None,
@@ -199,14 +199,22 @@ impl DangerDetector {
             return;
         }
         part.end_thread(motion);
-        self.stopped_inside &= motion.process.still;
+        self.stopped_inside = self.stopped_inside.filter(|own| motion.process.still && *own == station);
         match motion.kind {
-            MotionKind::Rapid if self.stopped_inside => {}
+            MotionKind::Rapid if self.stopped_inside.is_some() => {
+                let now = part.now();
+                if !tool.shape.solids().any(|solid| now.overlaps(&solid.core.at(motion.to))) {
+                    self.stopped_inside = None;
+                }
+            }
             MotionKind::Rapid => self.rapid(index, &known, tool, part),
             // A gripper only touches the workpiece.
             _ if motion.process.still => {
+                let is_near = self.stock.is_some_and(|stock| near(&stock, &[motion.from, motion.to]));
                 let now = part.now();
-                self.stopped_inside |= tool.shape.solids().any(|solid| hit(now, solid, motion).is_some());
+                if is_near && tool.shape.solids().any(|solid| hit(now, solid, motion).is_some()) {
+                    self.stopped_inside = Some(station);
+                }
             }
             _ => self.cut(index, motion, before.as_ref(), tool, part),
         }

@@ -460,7 +460,10 @@ impl Placing<'_> {
     fn letters(&self, at: Pixel, size: [f64; 2]) -> Vec<Candidate> {
         let mut all = around_point(at, size, true);
         let near = |other: &&Pixel| (0.1..BESIDE).contains(&other.distance(at));
-        if let Some(other) = self.points.iter().find(near) {
+        // A picked place without a letter needs no leader.
+        if size[0] > 2.0 * PADDING
+            && let Some(other) = self.points.iter().find(near)
+        {
             let away = direction(*other, at);
             let side = |candidate: &Candidate| {
                 let middle = candidate.area.middle();

@@ -36,9 +36,10 @@ impl Curve {
         self.highest.map_or(fast, |highest| fast.min(highest))
     }
 
-    /// The diameters at which a limit begins to hold, mm: of the highest, then of the lowest speed.
-    pub fn limits(&self) -> [Option<f64>; 2] {
-        [self.highest, self.lowest].map(|limit| limit.map(|limit| 1000.0 * self.cutting_speed / (PI * limit)))
+    /// The diameters below `end` at which a limit begins to hold, mm: of the highest, then of the lowest speed.
+    pub fn limits_until(&self, end: f64) -> impl Iterator<Item = f64> {
+        let limits = [self.highest, self.lowest].into_iter().flatten();
+        limits.map(|limit| 1000.0 * self.cutting_speed / (PI * limit)).filter(move |at| *at < end)
     }
 }
 
@@ -70,8 +71,8 @@ impl SpeedChart {
             let from = start(curve);
             let step = (diameter - from) / f64::from(PIECES);
             let steps = (0..=PIECES).map(|piece| from + step * f64::from(piece));
-            let limits = curve.limits().into_iter().flatten();
-            let mut diameters: Vec<f64> = steps.chain(limits.filter(|at| *at < diameter)).collect();
+            let limits = curve.limits_until(diameter).filter(|at| *at > from);
+            let mut diameters: Vec<f64> = steps.chain(limits).collect();
             diameters.sort_by(f64::total_cmp);
             let place = |at: f64| Point::new(curve.speed(at.max(1e-6)) / scale, Diameter::new(at).radius());
             for ends in diameters.windows(2) {

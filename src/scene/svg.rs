@@ -139,8 +139,12 @@ const HEIGHTS: [f64; 2] = [240.0, 720.0];
 /// The picture as an SVG file.
 pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
     let camera = camera(scene, options);
-    // A detail shows the passes of a thread.
-    let has_detail = options.annotations.iter().any(|own| matches!(own.shape, Shape::Detail(_)));
+    // A detail shows the passes of a thread, with their height k.
+    let is_of_thread = |own: &Annotation| match &own.shape {
+        Shape::Detail(detail) => detail.annotations.iter().any(|own| own.label.name == "k"),
+        _ => false,
+    };
+    let has_detail = options.annotations.iter().any(is_of_thread);
     let apart = match (scene.plane(), options.passes) {
         (Plane::Section, Passes::Apart) => Apart::of(scene, has_detail, 1.0 / camera.scale()),
         (Plane::Section, Passes::InPlace) | (Plane::Face | Plane::Side, _) => Apart::default(),
@@ -269,7 +273,10 @@ impl Drawing {
         self.compared(scene);
         self.center_lines(scene.plane());
         if options.contents == Contents::All {
-            self.programmed(scene);
+            // A figure of one cycle has no room for the paths of others.
+            if options.motions.is_none() {
+                self.programmed(scene);
+            }
             for style in StrokeStyle::ALL {
                 self.strokes(scene, options, style);
             }

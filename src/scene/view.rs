@@ -175,12 +175,6 @@ impl View {
         self.follow(scene);
     }
 
-    /// Whether annotations are drawn: without a tool, and those of a cycle also at the end of each step.
-    pub fn shows_annotations(&self) -> bool {
-        let is_cycle = self.labelled == Some(Frame::Cuts);
-        self.playhead.is_none_or(|playhead| is_cycle && playhead.share >= 1.0)
-    }
-
     /// Fits the camera unless the user has moved it. Call this when a run has ended.
     pub fn follow(&mut self, scene: &Scene) {
         match self.framing {

@@ -124,7 +124,7 @@ impl<'a> Parser<'a> {
             lexer: Lexer::new(text, at.byte as usize),
             line: at.line,
             begun: at.begun,
-            follows_block: at.is_inside && has_block_before(text, at.byte),
+            follows_block: at.is_inside && !at.begun && has_block_before(text, at.byte),
             after_semicolon: at.after_semicolon,
             ended: at.ended,
             is_trial: false,
@@ -1179,9 +1179,9 @@ fn has_block_before(text: &[u8], byte: u32) -> bool {
     if byte as usize >= LEADER {
         return true;
     }
-    let mut parser = Parser { is_trial: true, ..Parser::new(&text[..text.len().min(byte as usize)]) };
+    let mut parser = Parser::new(text);
     let mut block = Block::default();
-    while !parser.begun && parser.next_block(&mut block) {}
+    while !parser.begun && parser.position().byte < byte && parser.next_block(&mut block) {}
     parser.begun
 }
 
@@ -1586,6 +1586,18 @@ mod tests {
         };
         assert_eq!(words(Resume::default(), 1), b"M");
         assert_eq!(words(Resume::inside(6, 1), 0), b"M");
+    }
+
+    /// Text before the program number is no block, from the head and from its own line.
+    #[test]
+    fn a_title_reads_the_same_from_its_line_as_from_the_head() {
+        let text = b"G71 ROUGHING\nG70 FINISH\nO0001\nG00 X1\nM30\n";
+        let mut parser = Parser::new(text);
+        let (mut first, mut second) = (Block::default(), Block::default());
+        assert!(parser.next_block(&mut first) && parser.next_block(&mut second));
+        let mut own = Block::default();
+        assert!(Parser::resume(text, Resume::inside(13, 1)).next_block(&mut own));
+        assert_eq!((own.words.len(), own.comments.len()), (second.words.len(), second.comments.len()));
     }
 
     #[test]

@@ -141,8 +141,8 @@ test('without JavaScript the text, the programs and the links remain', async ({ 
   await page.goto('./manual/en/moves.html');
   await expect(heading(page)).toHaveText('G00 and G01');
   await expect(page.getByText('G01 X60 Z-35')).toBeVisible();
-  const box = await page.locator('gcode-playground').boundingBox();
-  const text = await page.locator('gcode-playground pre').boundingBox();
+  const box = await page.locator('gcode-playground').first().boundingBox();
+  const text = await page.locator('gcode-playground pre').first().boundingBox();
   expect(box!.height).toBeGreaterThanOrEqual(text!.height);
   await page.getByRole('link', { name: /^Next/ }).click();
   await expect(heading(page)).toHaveText('Feed and speed');

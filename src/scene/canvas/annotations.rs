@@ -12,12 +12,11 @@ use super::Painter;
 use super::pen::{Dash, Text};
 
 impl Painter {
-    /// Draws the measurement over the strokes, or the annotations. While a tool is shown, only the letters of a cycle are
-    /// drawn, at the end of each step.
+    /// Draws the measurement over the strokes, or the annotations unless a tool is shown.
     pub(super) fn annotations(&self, scene: &Scene, view: &View) -> Result<(), JsValue> {
         let annotations = match &view.measured {
             Some(measured) => measured,
-            None if !view.shows_annotations() => return Ok(()),
+            None if view.playhead.is_some() => return Ok(()),
             None => &view.annotations,
         };
         if annotations.is_empty() {

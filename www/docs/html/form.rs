@@ -220,8 +220,9 @@ impl Blocks {
     /// A text that is the same for the same words.
     fn key(&self) -> String {
         let of = |(block, words): &(usize, Vec<CodeWord>)| {
-            let words =
-                words.iter().map(|word| format!("{:?} {} {:?}", word.letters, word.comma, word.otherwise));
+            let words = words.iter().map(|word| {
+                format!("{:?} {:?} {} {:?}", word.letters, word.roles, word.comma, word.otherwise)
+            });
             format!("{block}: {}", words.collect::<Vec<_>>().join(", "))
         };
         self.0.iter().map(of).collect::<Vec<_>>().join("; ")

@@ -298,8 +298,6 @@ export class Session implements Waiter {
         return void this.#reply(question.id, undefined);
       if (row.draws !== undefined) this.#showCurrent();
       const value = row.answer(this.#core, question.args);
-      // The letters of a cycle follow the steps.
-      if (question.about === 'step') this.#annotate();
       void this.#reply(question.id, value);
       if (row.draws !== undefined) this.#drawing.request(row.draws);
       if (row.annotates?.(question.args) === true) void this.#drawAnnotations(value);
