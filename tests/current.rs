@@ -278,12 +278,16 @@ proptest! {
                 Act::Export => current.finish_part(),
             }
         }
+        let mut expected = fresh(&text, &setup);
+        // The decimal rule is kept while the user types.
+        if current.run().decimal_rule() != expected.run().decimal_rule() {
+            current.reinfer_decimal_rule();
+        }
         run(&mut current);
         current.end_comparison();
         current.seek(None);
         current.set_hover(None);
         current.set_turret(None);
-        let mut expected = fresh(&text, &setup);
         let (found, wanted) = (seen(&mut current), seen(&mut expected));
         prop_assert_eq!(&found.1, &wanted.1);
         let at = found.0.bytes().zip(wanted.0.bytes()).take_while(|(a, b)| a == b).count();
@@ -374,4 +378,18 @@ fn the_side_is_picked_in_and_follows_the_section() {
     assert!(current.moves(Plane::Side).is_none());
     run(&mut current);
     assert!(current.picture(Plane::Side).is_none());
+}
+
+/// While the user types, the decimal rule is kept, until it is decided again: without its point, the X100.0 of G40 is
+/// one of the numbers that decide it.
+#[test]
+fn the_decimal_rule_after_an_edit_is_that_of_a_fresh_run() {
+    let (mut text, setup) = program("s002-g121-square");
+    let mut current = fresh(&text, &setup);
+    let point = text.find("X100.0").expect("a number") + "X100".len();
+    text.replace_range(point..=point, "");
+    current.edit(point as u32, point as u32 + 1, "");
+    current.reinfer_decimal_rule();
+    run(&mut current);
+    assert!(current.motions() == fresh(&text, &setup).motions());
 }
