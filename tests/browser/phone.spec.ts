@@ -147,7 +147,7 @@ test('the table of codes is shown in Chinese and Russian, in dark mode and on a 
   const above = (await help.boundingBox())?.y;
   expect(above).toBeLessThan((await phone.getByRole('menuitemradio', { name: 'English' }).boundingBox())?.y ?? 0);
   await help.tap();
-  await expect(phone.getByRole('menuitem', { name: 'Обучение' })).toBeInViewport();
+  await expect(phone.getByRole('menuitem', { name: 'Руководство' })).toBeInViewport();
   await phone.getByRole('menuitem', { name: 'Клавиши и жесты' }).tap();
   const keys = phone.getByRole('dialog', { name: 'Клавиши и жесты' });
   await expect(keys).toBeInViewport();
