@@ -465,6 +465,25 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// A straight motion that belongs to no cycle, without thread and C axis.
+    #[inline]
+    pub fn straight(kind: MotionKind, from: Point, to: Point, process: Process) -> Self {
+        Self {
+            kind,
+            from,
+            to,
+            center: None,
+            lead: None,
+            lead_change: None,
+            start_angle: 0.0,
+            seconds: None,
+            programmed: None,
+            rotary: None,
+            cycle: None,
+            process,
+        }
+    }
+
     /// The true arc of an arc motion, in the turning plane.
     pub fn arc(&self) -> Option<Arc> {
         let turn = match self.kind {

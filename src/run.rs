@@ -104,9 +104,7 @@ impl Analysis {
 /// assert_eq!(analysis.motions.len(), 2);
 /// ```
 pub fn analyze(text: &[u8], setup: &Setup) -> Analysis {
-    let mut run = Run::new(text.to_vec(), setup.clone());
-    while !run.advance(usize::MAX) {}
-    run.into_analysis()
+    Run::finished(text.to_vec(), setup.clone()).into_analysis()
 }
 
 /// A change to the text.
@@ -215,6 +213,13 @@ impl Run {
     /// later edits.
     pub fn new(text: Vec<u8>, given: Setup) -> Self {
         Self::begin(text, given, None)
+    }
+
+    /// A run to the end of the program.
+    pub fn finished(text: Vec<u8>, setup: Setup) -> Self {
+        let mut run = Self::new(text, setup);
+        while !run.advance(usize::MAX) {}
+        run
     }
 
     /// Begins a run of a text whose decimal rule was decided before; `rule` applies if the setup leaves it to

@@ -30,9 +30,7 @@ use gcode_playground::units::Unit;
 use crate::fixtures;
 
 fn run(text: &str, setup: &Setup) -> Run {
-    let mut run = Run::new(text.as_bytes().to_vec(), setup.clone());
-    while !run.advance(usize::MAX) {}
-    run
+    Run::finished(text.as_bytes().to_vec(), setup.clone())
 }
 
 /// The labels of the word that begins at `word` in a line, from 1.
@@ -402,7 +400,9 @@ fn figures_on_paper_are_the_committed_ones() {
         let mut run = run(&fixture.text, &Setup::from_json(&fixture.setup).expect("a setup"));
         let simulation = SimulationResult::of(run.motions(), &run.setup_at_machine());
         let first = figures::first_cycle(&run).expect("a cycle");
-        let Figure { mut annotations, motions } = figures::of_cycle(&mut run, first);
+        let figure = figures::of_cycle(&mut run, first);
+        let motions = figure.motions(run.motions());
+        let mut annotations = figure.annotations;
         annotations.extend(figures::of_tool(&simulation, run.motions(), &motions));
         let options = SvgOptions {
             annotations,
@@ -448,8 +448,9 @@ fn a_figure_of_a_column_beyond_the_line_is_empty() {
 fn arrows_point_in_the_direction_of_the_move() {
     let program = "G00 X32 Z2 M03 S400\nG90 X26 Z-30 F0.1\nM30\n";
     let mut run = run(program, &Setup::default());
-    let Figure { annotations, motions } = figures::of_cycle(&mut run, 20);
-    let options = SvgOptions { annotations, motions: Some(motions), ..SvgOptions::default() };
+    let figure = figures::of_cycle(&mut run, 20);
+    let motions = Some(figure.motions(run.motions()));
+    let options = SvgOptions { annotations: figure.annotations, motions, ..SvgOptions::default() };
     let picture = section(run.motions(), None, &options);
     let heads = picture.split(r#"class="arrow rapid" d="M"#).nth(1).expect("arrow heads");
     let heads = heads.split('"').next().expect("a path");
@@ -481,8 +482,8 @@ fn omitted(name: &str, mut run: Run) -> Vec<String> {
     let scene = Scene::new(run.motions(), &path_index, work.as_ref());
     let mut found = Vec::new();
     let of_cycle = SvgOptions {
+        motions: Some(figure.motions(run.motions())).filter(|motions| !motions.is_empty()),
         annotations: figure.annotations,
-        motions: Some(figure.motions).filter(|motions| !motions.is_empty()),
         ..SvgOptions::default()
     };
     let of_part =

@@ -99,7 +99,7 @@ fn a_contour_holds_the_codes_of_its_system() {
     assert!(of_a.contains(&"contour-reaches-over-other-cycle"), "{of_a:?}");
 }
 
-/// The messages of a program, with those of the machine.
+/// The rules that a program triggers, including those of the simulation.
 fn slugs(text: &str) -> Vec<String> {
     let mut analysis = run(text.as_bytes(), &Setup::default(), Lints::On);
     analysis.check_at_machine();

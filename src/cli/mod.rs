@@ -265,25 +265,11 @@ fn svg(
         )
     };
     match view {
-        ViewName::Section if motions.is_empty() => {
-            let mut run = finished(program);
-            let scale = Scale::of(program.analysis.unit);
-            Ok(match figures::of_speeds(&mut run) {
-                Some((chart, annotations)) => scene::svg::svg(
-                    &chart.moves().scene(None),
-                    &on_paper(
-                        print,
-                        SvgOptions { width: 720.0, scale, annotations, ..SvgOptions::default() },
-                    ),
-                ),
-                None => scene::svg::section(
-                    motions,
-                    Some(&simulation),
-                    &on_paper(print, export::svg_options(program, Language::English)),
-                ),
-            })
-        }
         ViewName::Section => {
+            let speeds = motions.is_empty().then(|| figures::of_speeds(&mut finished(program))).flatten();
+            if let Some((chart, annotations)) = speeds {
+                return Ok(of_surface(chart.moves(), None, annotations));
+            }
             let options = SvgOptions {
                 x_plus: turret.into(),
                 ..figure_options(program, &simulation, figure, Language::English)
@@ -315,9 +301,7 @@ fn on_paper(print: Option<u16>, options: SvgOptions) -> SvgOptions {
 
 /// The finished run of a program.
 fn finished(program: &Program) -> Run {
-    let mut run = Run::new(program.text.clone(), program.analysis.setup.clone());
-    while !run.advance(usize::MAX) {}
-    run
+    Run::finished(program.text.clone(), program.analysis.setup.clone())
 }
 
 /// The options of a section with the annotations of a figure.

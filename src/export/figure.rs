@@ -3,7 +3,7 @@
 //! In: a subject, a finished run and its simulation. Out: options of the drawing. For the command line and the pages of
 //! the manual.
 
-use crate::figures::{self, Figure};
+use crate::figures;
 use crate::machine::SimulationResult;
 use crate::motion::Motions;
 use crate::run::Run;
@@ -75,10 +75,11 @@ impl Subject {
                     None => figures::first_cycle(&run),
                 };
                 let figure = byte.map(|byte| figures::of_cycle(&mut run, byte)).unwrap_or_default();
-                let Figure { mut annotations, motions: shown } = figure;
+                let shown = figure.motions(motions);
                 if shown.is_empty() {
                     return options;
                 }
+                let mut annotations = figure.annotations;
                 annotations.extend(figures::of_tool(simulation, motions, &shown));
                 SvgOptions { annotations, motions: Some(shown), ..options }
             }

@@ -5,111 +5,209 @@
 
 use std::ops::Range;
 
+use super::NUMBERS;
 use crate::assist::Query;
 use crate::control::contour::Landmarks;
-use crate::geometry::Point;
+use crate::geometry::{Point, at_share};
 use crate::motion::{Cycle, Motion, Motions, Step};
 use crate::scene::annotation::{Annotation, Detail, Importance, Measure, Shape};
 use crate::source::Span;
 
 /// The steps of a single cycle.
-const STEPS: [(Step, &str); 4] =
-    [(Step::Infeed, "①"), (Step::Cut, "②"), (Step::Retract, "③"), (Step::Return, "④")];
+const STEPS: [Step; 4] = [Step::Infeed, Step::Cut, Step::Retract, Step::Return];
 
-/// The letters of a cycle, and the steps of a single cycle. `landmarks`: the named points of all contours of the run.
-pub fn letters(asked: &Query, motions: &Motions, landmarks: &[Landmarks]) -> Vec<Annotation> {
-    let Some(visit) = asked.visit.filter(|visit| !visit.motions.is_empty()) else { return Vec::new() };
-    let own: Vec<Motion> =
-        visit.motions.clone().take(MAX_MOTIONS).map(|index| motions.get_on_workpiece(index)).collect();
-    let Some(cycle) = own[0].cycle.map(|step| step.cycle) else { return Vec::new() };
-    let step = |wanted: Step| own.iter().find(|motion| motion.cycle.is_some_and(|own| own.step == wanted));
-    let last = |wanted: Step| own.iter().rfind(|motion| motion.cycle.is_some_and(|own| own.step == wanted));
-    let start = own[0].from;
-    let mut points = vec![(start, "A")];
-    let mut steps = Vec::new();
-    match cycle {
-        Cycle::Turning | Cycle::Facing | Cycle::Threading => {
-            points.extend(step(Step::Cut).map(|cut| (cut.from, "B")));
-            points.extend(step(Step::Cut).map(|cut| (cut.to, "C")));
-            // A pull-out may end at the height of the start.
-            let out = step(Step::Retract).or_else(|| step(Step::PullOut));
-            points.extend(out.map(|out| (out.to, "D")));
-            for (wanted, name) in STEPS {
-                let motion = step(wanted).filter(|motion| motion.length() > 0.0);
-                steps.extend(motion.map(|motion| Annotation::step([motion.from, motion.to], name)));
-            }
-        }
-        Cycle::RoughTurning | Cycle::RoughFacing | Cycle::Pattern | Cycle::Finishing => {
-            let block = asked.block.span;
-            let is_own = |span: Span| block.start <= span.start && span.end <= block.end;
-            if let Some(found) = landmarks.iter().find(|found| is_own(found.span)) {
-                points.push((found.first.moved(found.zero), "A′"));
-                points.push((found.last.moved(found.zero), "B"));
-            }
-            points.extend(step(Step::Approach).map(|approach| (approach.to, "C")));
-        }
-        // B has the X, C the Z of the end point D.
-        Cycle::FacePecking | Cycle::Grooving => {
-            if let Some(end) = last(Step::Cut).map(|cut| cut.to) {
-                points.push((Point::new(end.x, start.z), "B"));
-                points.push((Point::new(start.x, end.z), "C"));
-                points.push((end, "D"));
-            }
-        }
-        // D is the programmed end point; a chamfer leaves the thread before it.
-        Cycle::MultiThreading => {
-            points.extend(step(Step::Cut).map(|cut| (cut.from, "B")));
-            points.extend(last(Step::Cut).map(|cut| (cut.from, "C")));
-            let out = last(Step::Retract).or_else(|| last(Step::PullOut));
-            if let Some((cut, out)) = last(Step::Cut).zip(out) {
-                points.push((Point::new(cut.to.x, out.to.z), "D"));
-                points.push((out.to, "E"));
-            }
-        }
-        _ => {}
-    }
-    let mut named: Vec<Annotation> = Vec::new();
-    for (at, name) in points {
-        let is_taken = named.iter().any(|other| match other.shape {
-            Shape::Point(place) => place.is_same(at),
-            _ => false,
-        });
-        if !is_taken {
-            named.push(Annotation::point(at, name));
-        }
-    }
-    named.extend(steps);
-    named
+/// A call of a cycle.
+pub struct Call {
+    /// Index of its first motion.
+    pub first: usize,
+    cycle: Cycle,
+    /// Its motions on the workpiece, at most [`MAX_MOTIONS`]; at least one.
+    own: Vec<Motion>,
 }
 
-/// The distances from A to C: U/2 and W of a single cycle, also if the block has X and Z; in the pattern of G73 the
-/// relief with the allowance. `all`: the annotations of the block, which may have them already.
-pub fn distances(asked: &Query, motions: &Motions, all: &[Annotation]) -> Vec<Annotation> {
-    let Some(visit) = asked.visit.filter(|visit| !visit.motions.is_empty()) else { return Vec::new() };
-    let own = || visit.motions.clone().take(MAX_MOTIONS).map(|index| motions.get_on_workpiece(index));
-    let first = motions.get_on_workpiece(visit.motions.start);
-    let ends_at = |wanted: Step| own().find(|motion| motion.cycle.is_some_and(|own| own.step == wanted));
-    let (names, end) = match first.cycle.map(|step| step.cycle) {
-        Some(Cycle::Turning | Cycle::Facing | Cycle::Threading) => (["U/2", "W"], ends_at(Step::Cut)),
-        Some(Cycle::Pattern) => (["Δi + Δu/2", "Δk + Δw"], ends_at(Step::Approach)),
-        _ => return Vec::new(),
-    };
-    let out = ends_at(Step::Retract).or_else(|| ends_at(Step::PullOut));
-    let word = all.iter().find_map(|own| match own.label.value {
-        Some(Measure::Coordinate('Z', z)) => Some(z),
-        _ => None,
-    });
-    let z = word.or(out.map(|out| out.to.z));
-    let Some(end) = end.map(|cut| programmed_end(&cut, z)) else { return Vec::new() };
-    let (x, z) = (end.x - first.from.x, end.z - first.from.z);
-    // Beside the end of the cut, and above the way back: there are no other strokes.
-    let start = first.from;
-    let across = Shape::Radial([Point::new(start.x, end.z), end]);
-    let shapes = [(across, x), (Shape::Axial([start, Point::new(start.x, end.z)]), z)];
-    let missing = names.into_iter().zip(shapes).filter(|(name, (shape, _))| {
-        shape.is_visible() && !all.iter().any(|other| other.label.name == *name)
-    });
-    missing.map(|(name, (shape, mm))| Annotation::dimension(shape, name, Measure::Length(mm))).collect()
+impl Call {
+    /// The call in a block; `None` if the block makes no motions of a cycle.
+    pub fn of(asked: &Query, motions: &Motions) -> Option<Self> {
+        let range = asked.visit?.motions.clone();
+        let first = range.start;
+        let own: Vec<Motion> = range.take(MAX_MOTIONS).map(|index| motions.get_on_workpiece(index)).collect();
+        Some(Self { first, cycle: own.first()?.cycle?.cycle, own })
+    }
+
+    /// The motions of a step.
+    fn steps(&self, step: Step) -> impl DoubleEndedIterator<Item = &Motion> {
+        self.own.iter().filter(move |motion| motion.cycle.is_some_and(|own| own.step == step))
+    }
+
+    /// The first motion of a step.
+    fn step(&self, step: Step) -> Option<&Motion> {
+        self.steps(step).next()
+    }
+
+    /// The last motion of a step.
+    fn last(&self, step: Step) -> Option<&Motion> {
+        self.steps(step).next_back()
+    }
+
+    /// The letters of the cycle, and the steps of a single cycle. `block`: its block; `landmarks`: the named points of
+    /// all contours of the run.
+    pub fn letters(&self, block: Span, landmarks: &[Landmarks]) -> Vec<Annotation> {
+        let (step, last) = (|step: Step| self.step(step), |step: Step| self.last(step));
+        let start = self.own[0].from;
+        let mut points = vec![(start, "A")];
+        let mut steps = Vec::new();
+        match self.cycle {
+            Cycle::Turning | Cycle::Facing | Cycle::Threading => {
+                points.extend(step(Step::Cut).map(|cut| (cut.from, "B")));
+                points.extend(step(Step::Cut).map(|cut| (cut.to, "C")));
+                // A pull-out may end at the height of the start.
+                let out = step(Step::Retract).or_else(|| step(Step::PullOut));
+                points.extend(out.map(|out| (out.to, "D")));
+                for (wanted, name) in STEPS.into_iter().zip(NUMBERS) {
+                    let motion = step(wanted).filter(|motion| motion.length() > 0.0);
+                    steps.extend(motion.map(|motion| Annotation::step([motion.from, motion.to], name)));
+                }
+            }
+            Cycle::RoughTurning | Cycle::RoughFacing | Cycle::Pattern | Cycle::Finishing => {
+                let is_own = |span: Span| block.start <= span.start && span.end <= block.end;
+                if let Some(found) = landmarks.iter().find(|found| is_own(found.span)) {
+                    points.push((found.first.moved(found.zero), "A′"));
+                    points.push((found.last.moved(found.zero), "B"));
+                }
+                points.extend(step(Step::Approach).map(|approach| (approach.to, "C")));
+            }
+            // B has the X, C the Z of the end point D.
+            Cycle::FacePecking | Cycle::Grooving => {
+                if let Some(end) = last(Step::Cut).map(|cut| cut.to) {
+                    points.push((Point::new(end.x, start.z), "B"));
+                    points.push((Point::new(start.x, end.z), "C"));
+                    points.push((end, "D"));
+                }
+            }
+            // D is the programmed end point; a chamfer leaves the thread before it.
+            Cycle::MultiThreading => {
+                points.extend(step(Step::Cut).map(|cut| (cut.from, "B")));
+                points.extend(last(Step::Cut).map(|cut| (cut.from, "C")));
+                let out = last(Step::Retract).or_else(|| last(Step::PullOut));
+                if let Some((cut, out)) = last(Step::Cut).zip(out) {
+                    points.push((Point::new(cut.to.x, out.to.z), "D"));
+                    points.push((out.to, "E"));
+                }
+            }
+            _ => {}
+        }
+        let mut named: Vec<Annotation> = Vec::new();
+        for (at, name) in points {
+            let is_taken = named.iter().any(|other| match other.shape {
+                Shape::Point(place) => place.is_same(at),
+                _ => false,
+            });
+            if !is_taken {
+                named.push(Annotation::point(at, name));
+            }
+        }
+        named.extend(steps);
+        named
+    }
+
+    /// The distances from A to C: U/2 and W of a single cycle, also if the block has X and Z; in the pattern of G73 the
+    /// relief with the allowance. `all`: the annotations of the block, which may have them already.
+    pub fn distances(&self, all: &[Annotation]) -> Vec<Annotation> {
+        let (names, end) = match self.cycle {
+            Cycle::Turning | Cycle::Facing | Cycle::Threading => (["U/2", "W"], self.step(Step::Cut)),
+            Cycle::Pattern => (["Δi + Δu/2", "Δk + Δw"], self.step(Step::Approach)),
+            _ => return Vec::new(),
+        };
+        let out = self.step(Step::Retract).or_else(|| self.step(Step::PullOut));
+        let word = all.iter().find_map(|own| match own.label.value {
+            Some(Measure::Coordinate('Z', z)) => Some(z),
+            _ => None,
+        });
+        let z = word.or(out.map(|out| out.to.z));
+        let Some(end) = end.map(|cut| programmed_end(cut, z)) else { return Vec::new() };
+        let start = self.own[0].from;
+        let (x, z) = (end.x - start.x, end.z - start.z);
+        // Beside the end of the cut, and above the way back: there are no other strokes.
+        let across = Shape::Radial([Point::new(start.x, end.z), end]);
+        let shapes = [(across, x), (Shape::Axial([start, Point::new(start.x, end.z)]), z)];
+        let missing = names.into_iter().zip(shapes).filter(|(name, (shape, _))| {
+            shape.is_visible() && !all.iter().any(|other| other.label.name == *name)
+        });
+        missing.map(|(name, (shape, mm))| Annotation::dimension(shape, name, Measure::Length(mm))).collect()
+    }
+
+    /// Numbers the passes of G73, whose number is no length: `1` at the first one, `d = 10` at the last one.
+    pub fn add_pass_numbers(&self, all: &mut Vec<Annotation>) {
+        let is_count = |own: &Annotation| matches!(own.label.value, Some(Measure::Count(_)));
+        let Some(count) = all.iter().find(|own| is_count(own)).map(|own| own.label.clone()) else { return };
+        let longest = |pass: u32| {
+            let own = self.steps(Step::Contour);
+            let own = own.filter(|motion| motion.arc().is_none() && pass_of(motion) == pass);
+            own.max_by(|a, b| a.length().total_cmp(&b.length()))
+        };
+        let numbers = || self.steps(Step::Contour).map(pass_of);
+        let ends = [numbers().min(), numbers().max()].map(|pass| longest(pass?));
+        let [Some(first), Some(last)] = ends else { return };
+        all.retain(|own| !is_count(own) && own.label.name != "Δi" && own.label.name != "Δk");
+        all.push(Annotation::step([first.from, first.to], "1"));
+        let shape = Shape::Step([last.from, last.to]);
+        all.push(Annotation { shape, label: count, importance: Importance::Usual });
+    }
+
+    /// Replaces the allowances of roughing, which are too small to be seen, by a detail of a corner of the contour: the
+    /// last roughing pass and the finished contour.
+    pub fn add_allowance(&self, all: &mut Vec<Annotation>) {
+        let [x, z] = ["Δu/2", "Δw"].map(|name| length_of(all, name).unwrap_or(0.0));
+        let largest = x.abs().max(z.abs());
+        let last = self.last(Step::Contour).map_or(0, pass_of);
+        let pieces: Vec<&Motion> =
+            self.steps(Step::Contour).filter(|motion| pass_of(motion) == last).collect();
+        // Only a corner between two axes shows both.
+        let along_x = |motion: &Motion| (motion.to.z - motion.from.z).abs() < SAME_DEPTH;
+        let along_z = |motion: &Motion| (motion.to.x - motion.from.x).abs() < SAME_DEPTH;
+        let is_corner = |pair: &&[&Motion]| {
+            let [one, other] = [pair[0], pair[1]];
+            let is_straight = one.arc().is_none() && other.arc().is_none();
+            is_straight && (along_x(one) && along_z(other) || along_z(one) && along_x(other))
+        };
+        let shortest = |pair: &[&Motion]| pair[0].length().min(pair[1].length());
+        let corners = pieces.windows(2).filter(is_corner);
+        let Some(pair) = corners.max_by(|a, b| shortest(a).total_cmp(&shortest(b))) else { return };
+        let reach = shortest(pair).min(4.0 * largest);
+        if largest < SAME_DEPTH || reach < 2.0 * largest {
+            return;
+        }
+        let corner = pair[0].to;
+        let arm = |motion: &Motion, end: Point| at_share([corner, end], reach / motion.length());
+        let arms = [arm(pair[0], pair[0].from), arm(pair[1], pair[1].to)];
+        let finished = |at: Point| Point::new(at.x - x, at.z - z);
+        let rough = vec![arms[0], corner, arms[1]];
+        let lines = vec![rough.iter().copied().map(finished).collect(), rough];
+        let [level, upright] = if along_z(pair[0]) { arms } else { [arms[1], arms[0]] };
+        let [level, upright] = [level, upright].map(|end| at_share([corner, end], 0.7));
+        let dimensions = [
+            (Shape::Radial([level, Point::new(level.x - x, level.z)]), "Δu/2", x),
+            (Shape::Axial([upright, Point::new(upright.x, upright.z - z)]), "Δw", z),
+        ];
+        let dimensions = dimensions.into_iter().filter(|(shape, ..)| shape.is_visible());
+        let annotations: Vec<Annotation> = dimensions
+            .map(|(shape, name, mm)| Annotation::dimension(shape, name, Measure::Length(mm)))
+            .collect();
+        all.retain(|own| own.label.name != "Δu/2" && own.label.name != "Δw");
+        let detail = Detail { at: corner, radius: reach, lines, annotations };
+        all.push(Annotation::detail(detail));
+    }
+
+    /// Replaces the depths of the passes of G76 by a detail of the groove with each pass, the infeed law √n.
+    pub fn add_infeed(&self, all: &mut Vec<Annotation>) {
+        if self.cycle != Cycle::MultiThreading {
+            return;
+        }
+        let cuts: Vec<Motion> = self.steps(Step::Cut).copied().collect();
+        let Some(detail) = infeed(all, &cuts, self.own[0].from.x) else { return };
+        all.retain(|annotation| !DEPTHS.contains(&annotation.label.name));
+        all.push(Annotation::detail(detail));
+    }
 }
 
 /// The programmed end of a cut. A thread is left before it; `z`: the Z of its end.
@@ -117,91 +215,21 @@ fn programmed_end(cut: &Motion, z: Option<f64>) -> Point {
     let is_thread = cut.cycle.is_some_and(|step| step.cycle == Cycle::Threading);
     let length = cut.to.z - cut.from.z;
     match z.filter(|_| is_thread && length.abs() > SAME_DEPTH) {
-        Some(z) => Point::new(cut.from.x + (cut.to.x - cut.from.x) * (z - cut.from.z) / length, z),
+        Some(z) => at_share([cut.from, cut.to], (z - cut.from.z) / length),
         None => cut.to,
     }
-}
-
-/// Numbers the passes of G73, whose number is no length: `1` at the first one, `d = 10` at the last one.
-pub fn with_pass_numbers(mut all: Vec<Annotation>, asked: &Query, motions: &Motions) -> Vec<Annotation> {
-    let is_count = |own: &Annotation| matches!(own.label.value, Some(Measure::Count(_)));
-    let Some(count) = all.iter().find(|own| is_count(own)).map(|own| own.label.clone()) else { return all };
-    let passes = contour_of(asked, motions);
-    let longest = |pass: u32| {
-        let own = passes.iter().filter(|motion| motion.arc().is_none() && pass_of(motion) == pass);
-        own.max_by(|a, b| a.length().total_cmp(&b.length()))
-    };
-    let numbers = passes.iter().map(pass_of);
-    let ends = [numbers.clone().min(), numbers.max()].map(|pass| longest(pass?));
-    let [Some(first), Some(last)] = ends else { return all };
-    all.retain(|own| !is_count(own) && own.label.name != "Δi" && own.label.name != "Δk");
-    all.push(Annotation::step([first.from, first.to], "1"));
-    let shape = Shape::Step([last.from, last.to]);
-    all.push(Annotation { shape, label: count, importance: Importance::Usual });
-    all
-}
-
-/// The motions along the contour of roughing.
-fn contour_of(asked: &Query, motions: &Motions) -> Vec<Motion> {
-    let own = asked.visit.map_or(0..0, |visit| visit.motions.clone());
-    let own = own.take(MAX_MOTIONS).map(|index| motions.get_on_workpiece(index));
-    own.filter(|motion| motion.cycle.is_some_and(|own| own.step == Step::Contour)).collect()
 }
 
 fn pass_of(motion: &Motion) -> u32 {
     motion.cycle.map_or(0, |own| own.pass)
 }
 
-/// Replaces the allowances of roughing, which are too small to be seen, by a detail of a corner of the contour: the
-/// last roughing pass and the finished contour.
-pub fn with_allowance(mut all: Vec<Annotation>, asked: &Query, motions: &Motions) -> Vec<Annotation> {
-    let length = |name: &str| match all.iter().find(|own| own.label.name == name)?.label.value {
+/// The length that a named annotation shows, mm.
+fn length_of(all: &[Annotation], name: &str) -> Option<f64> {
+    match all.iter().find(|own| own.label.name == name)?.label.value {
         Some(Measure::Length(mm)) => Some(mm),
         _ => None,
-    };
-    let (x, z) = (length("Δu/2").unwrap_or(0.0), length("Δw").unwrap_or(0.0));
-    let largest = x.abs().max(z.abs());
-    let contour = contour_of(asked, motions);
-    let last = contour.last().map_or(0, pass_of);
-    let pieces: Vec<&Motion> = contour.iter().filter(|motion| pass_of(motion) == last).collect();
-    // Only a corner between two axes shows both.
-    let along_x = |motion: &Motion| (motion.to.z - motion.from.z).abs() < SAME_DEPTH;
-    let along_z = |motion: &Motion| (motion.to.x - motion.from.x).abs() < SAME_DEPTH;
-    let is_corner = |pair: &&[&Motion]| {
-        let [one, other] = [pair[0], pair[1]];
-        let is_straight = one.arc().is_none() && other.arc().is_none();
-        is_straight && (along_x(one) && along_z(other) || along_z(one) && along_x(other))
-    };
-    let shortest = |pair: &[&Motion]| pair[0].length().min(pair[1].length());
-    let corners = pieces.windows(2).filter(is_corner);
-    let Some(pair) = corners.max_by(|a, b| shortest(a).total_cmp(&shortest(b))) else { return all };
-    let reach = shortest(pair).min(4.0 * largest);
-    if largest < SAME_DEPTH || reach < 2.0 * largest {
-        return all;
     }
-    let corner = pair[0].to;
-    let arm = |motion: &Motion, end: Point| {
-        let share = reach / motion.length();
-        Point::new(corner.x + share * (end.x - corner.x), corner.z + share * (end.z - corner.z))
-    };
-    let arms = [arm(pair[0], pair[0].from), arm(pair[1], pair[1].to)];
-    let finished = |at: Point| Point::new(at.x - x, at.z - z);
-    let rough = vec![arms[0], corner, arms[1]];
-    let lines = vec![rough.iter().copied().map(finished).collect(), rough];
-    let [level, upright] = if along_z(pair[0]) { arms } else { [arms[1], arms[0]] };
-    let near = |at: Point| Point::new(0.7 * at.x + 0.3 * corner.x, 0.7 * at.z + 0.3 * corner.z);
-    let (level, upright) = (near(level), near(upright));
-    let dimensions = [
-        (Shape::Radial([level, Point::new(level.x - x, level.z)]), "Δu/2", x),
-        (Shape::Axial([upright, Point::new(upright.x, upright.z - z)]), "Δw", z),
-    ];
-    let dimensions = dimensions.into_iter().filter(|(shape, ..)| shape.is_visible());
-    let annotations: Vec<Annotation> =
-        dimensions.map(|(shape, name, mm)| Annotation::dimension(shape, name, Measure::Length(mm))).collect();
-    all.retain(|own| own.label.name != "Δu/2" && own.label.name != "Δw");
-    let detail = Detail { at: corner, radius: reach, lines, annotations };
-    all.push(Annotation::detail(detail));
-    all
 }
 
 /// The dimensions of all words of a block.
@@ -219,24 +247,6 @@ pub fn dimensions(asked: &Query, motions: &Motions) -> Vec<Annotation> {
     all
 }
 
-/// Replaces the depths of the passes of G76 by a detail of the groove with each pass, the infeed law √n.
-pub fn with_infeed(mut all: Vec<Annotation>, asked: &Query, motions: &Motions) -> Vec<Annotation> {
-    let own = asked.visit.map_or(0..0, |visit| visit.motions.clone());
-    let cuts: Vec<Motion> = own
-        .take(MAX_MOTIONS)
-        .map(|index| motions.get_on_workpiece(index))
-        .filter(|motion| {
-            motion.cycle.is_some_and(|own| own.cycle == Cycle::MultiThreading && own.step == Step::Cut)
-        })
-        .collect();
-    let start = asked.visit.map_or(0, |visit| visit.motions.start);
-    let home = motions.get_on_workpiece(start).from.x;
-    let Some(detail) = infeed(&all, &cuts, home) else { return all };
-    all.retain(|annotation| !DEPTHS.contains(&annotation.label.name));
-    all.push(Annotation::detail(detail));
-    all
-}
-
 /// The dimensions of G76 that a detail shows.
 const DEPTHS: [&str; 5] = ["k", "Δd", "Δd min", "d", "a"];
 
@@ -244,16 +254,12 @@ const DEPTHS: [&str; 5] = ["k", "Δd", "Δd min", "d", "a"];
 /// `Δd√n` of the last one that follows this law, then the least infeed and the allowance.
 /// `home`: X of the start of the cycle, a radius, mm.
 fn infeed(all: &[Annotation], cuts: &[Motion], home: f64) -> Option<Detail> {
-    let value = |name: &str| all.iter().find(|own| own.label.name == name)?.label.value;
-    let length = |name: &str| match value(name) {
-        Some(Measure::Length(mm)) => Some(mm),
-        _ => None,
-    };
+    let length = |name: &str| length_of(all, name);
     let height = length("k")?;
-    let half = match value("a") {
+    let half = all.iter().find(|own| own.label.name == "a").map_or(0.0, |own| match own.label.value {
         Some(Measure::Degrees(degrees)) => (degrees / 2.0).to_radians(),
         _ => 0.0,
-    };
+    });
     let (first, last) = (cuts.first()?.from, cuts.last()?.from);
     let above = if (first.x - last.x).abs() > SAME_DEPTH { first.x } else { home };
     let out = (above - last.x).signum();
@@ -313,8 +319,8 @@ fn infeed(all: &[Annotation], cuts: &[Motion], home: f64) -> Option<Detail> {
     Some(Detail { at, radius: ((right - left) / 2.0).max(0.6 * height), lines, annotations })
 }
 
-/// The motions that the figure of a cycle shows: those of the calls of the cycle before and after `first`, and of the
-/// finishing that follows roughing.
+/// The motions of the figure of a cycle: its call at `first`, adjacent calls of the same cycle, and finishing after
+/// roughing.
 pub fn shown(motions: &Motions, first: usize) -> Vec<Range<usize>> {
     let cycle = |index: usize| motions.get(index).cycle.map(|step| step.cycle);
     let own = cycle(first);

@@ -3,6 +3,7 @@
 //!
 //! In: the moves over the face. Out: annotations in the plane of the face.
 
+use super::NUMBERS;
 use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
 use crate::motion::{Motion, MotionKind};
@@ -12,8 +13,6 @@ use crate::scene::surface_moves::SurfaceMoves;
 
 const LETTERS: [&str; 20] =
     ["A", "B", "C", "D", "E", "F", "G", "H", "I", "J", "K", "L", "M", "N", "O", "P", "Q", "R", "S", "T"];
-const NUMBERS: [&str; 20] =
-    ["①", "②", "③", "④", "⑤", "⑥", "⑦", "⑧", "⑨", "⑩", "⑪", "⑫", "⑬", "⑭", "⑮", "⑯", "⑰", "⑱", "⑲", "⑳"];
 
 /// The annotations of the contour; empty if it has more moves than there are numbers. The last of several moves leaves
 /// the contour, so its end has no letter. Arcs have their radius.

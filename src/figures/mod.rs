@@ -18,6 +18,8 @@ pub use speeds::of_speeds;
 
 use std::ops::Range;
 
+use cycle::Call;
+
 use crate::assist::Query;
 use crate::assist::form::Form;
 use crate::control::codes::cycles::CycleBlock;
@@ -35,6 +37,10 @@ use crate::text::parser::Resume;
 /// Maximum number of blocks that are executed again to find a block; with more, a figure would delay the page.
 const MAX_BLOCKS: usize = 200_000;
 
+/// The numbers of the steps of a cycle and of the moves of a contour.
+const NUMBERS: [&str; 20] =
+    ["①", "②", "③", "④", "⑤", "⑥", "⑦", "⑧", "⑨", "⑩", "⑪", "⑫", "⑬", "⑭", "⑮", "⑯", "⑰", "⑱", "⑲", "⑳"];
+
 /// The dimensions of the finished part of a simulation; empty without one.
 pub fn of_finished(simulation: &SimulationResult, motions: &Motions) -> Vec<Annotation> {
     let threads = || threads(motions, simulation.resolved_setup());
@@ -43,7 +49,7 @@ pub fn of_finished(simulation: &SimulationResult, motions: &Motions) -> Vec<Anno
 
 /// The annotations of the word at a byte of a program that has finished.
 pub fn of_word(run: &mut Run, byte: u32) -> Vec<Annotation> {
-    let Some(found) = replay(run, byte) else { return Vec::new() };
+    let Some(found) = replay(run, &LineIndex::new(run.text()), byte) else { return Vec::new() };
     let block = found.block(run);
     let asked = Query::new(run, &found, &block);
     at_cursor(&asked, byte, run.motions())
@@ -58,52 +64,54 @@ pub fn at_cursor(asked: &Query, byte: u32, motions: &Motions) -> Vec<Annotation>
 /// The figure of a cycle.
 #[derive(Clone, Debug, Default)]
 pub struct Figure {
-    /// Letters, steps and dimensions.
+    /// Letters, steps and dimensions; empty if the block calls no cycle.
     pub annotations: Vec<Annotation>,
-    /// The motions that a picture of the cycle alone shows.
-    pub motions: Vec<Range<usize>>,
+    /// The first motion of the call.
+    first: usize,
+}
+
+impl Figure {
+    /// The motions that a picture of the cycle alone shows; empty without a cycle.
+    pub fn motions(&self, motions: &Motions) -> Vec<Range<usize>> {
+        if self.annotations.is_empty() { Vec::new() } else { cycle::shown(motions, self.first) }
+    }
 }
 
 /// The figure of the cycle that the block at a byte calls: its letters, and the dimensions of its words, also of
 /// its first block in the line before. Empty if the block calls none.
 pub fn of_cycle(run: &mut Run, byte: u32) -> Figure {
-    let Some(found) = replay(run, byte) else { return Figure::default() };
+    let lines = LineIndex::new(run.text());
+    let Some(found) = replay(run, &lines, byte) else { return Figure::default() };
     let block = found.block(run);
     let asked = Query::new(run, &found, &block);
-    let mut all = cycle::letters(&asked, run.motions(), run.landmarks());
-    if all.is_empty() {
-        return Figure::default();
-    }
+    let Some(call) = Call::of(&asked, run.motions()) else { return Figure::default() };
+    let mut all = call.letters(block.span, run.landmarks());
     all.extend(cycle::dimensions(&asked, run.motions()));
-    let is_second = asked.visit.is_some_and(|visit| {
-        let form = Form::of(&block, &visit.before.state, run.code_list());
-        matches!(form, Form::Multiple(_, CycleBlock::Second))
-    });
-    let before = Some(byte).filter(|_| is_second).and_then(|byte| {
-        let lines = LineIndex::new(run.text());
-        lines.line_of(byte).checked_sub(1).map(|before| lines.line(run.text(), before).start)
-    });
-    if let Some(found) = before.and_then(|before| replay(run, before)) {
+    let is_second = cycle_block(&asked) == Some(CycleBlock::Second);
+    let before = lines.line_of(byte).checked_sub(1).filter(|_| is_second);
+    let before = before.map(|before| lines.line(run.text(), before).start);
+    if let Some(found) = before.and_then(|before| replay(run, &lines, before)) {
         let block = found.block(run);
         let first = Query::new(run, &found, &block);
-        let is_first = first.visit.is_some_and(|visit| {
-            let form = Form::of(&block, &visit.before.state, run.code_list());
-            matches!(form, Form::Multiple(_, CycleBlock::First))
-        });
-        if is_first {
+        if cycle_block(&first) == Some(CycleBlock::First) {
             all.extend(cycle::dimensions(&first, run.motions()));
         }
     }
-    let asked = Query::new(run, &found, &block);
-    let motions = run.motions();
-    all.extend(cycle::distances(&asked, motions, &all));
-    for with_more in [cycle::with_pass_numbers, cycle::with_allowance, cycle::with_infeed] {
-        all = with_more(all, &asked, motions);
-    }
+    all.extend(call.distances(&all));
+    call.add_pass_numbers(&mut all);
+    call.add_allowance(&mut all);
+    call.add_infeed(&mut all);
     // Zero of the program.
     all.push(Annotation { importance: Importance::Low, ..Annotation::point(Point::default(), "O") });
-    let first = asked.visit.map_or(0, |visit| visit.motions.start);
-    Figure { annotations: all, motions: cycle::shown(motions, first) }
+    Figure { annotations: all, first: call.first }
+}
+
+/// Which block of a multiple cycle a block is.
+fn cycle_block(asked: &Query) -> Option<CycleBlock> {
+    match Form::of(asked.block, &asked.visit?.before.state, asked.codes) {
+        Form::Multiple(_, block) => Some(block),
+        _ => None,
+    }
 }
 
 /// The insert of the tool of a figure at the start of its first cut, if the setup has the tool.
@@ -112,8 +120,8 @@ pub fn of_tool(
     motions: &Motions,
     shown: &[Range<usize>],
 ) -> Option<Annotation> {
-    let cuts = shown.iter().flat_map(Clone::clone).map(|index| motions.get_on_workpiece(index));
-    let first = cuts.into_iter().find(|motion| motion.kind.cuts())?;
+    let mut own = shown.iter().flat_map(Clone::clone).map(|index| motions.get_on_workpiece(index));
+    let first = own.find(|motion| motion.kind.cuts())?;
     let tool = simulation.resolved_setup().tool(&first);
     if tool.basis != Basis::Given {
         return None;
@@ -128,9 +136,8 @@ pub fn first_cycle(run: &Run) -> Option<u32> {
     (0..motions.len()).find(|&index| motions.glance(index).is_of_cycle).map(|index| motions.span(index).start)
 }
 
-/// The execution of the block at a byte; `None` if it comes after too many blocks.
-fn replay(run: &mut Run, byte: u32) -> Option<Found> {
-    let lines = LineIndex::new(run.text());
+/// The execution of the block at a byte; `None` if it comes after too many blocks. `lines`: those of the text.
+fn replay(run: &mut Run, lines: &LineIndex, byte: u32) -> Option<Found> {
     let line = lines.line_of(byte);
     let start = Resume::inside(lines.line(run.text(), line).start, line);
     let mut replay = run.replay(start, byte, VisitChoice::Usual);
@@ -169,13 +176,12 @@ mod tests {
     /// The roles whose word has an annotation in a program.
     fn annotated(text: &str) -> Vec<Role> {
         let setup = if text.contains("GSK") { r#"{"dialect": {"control": "gsk"}}"# } else { "{}" };
-        let mut run = Run::new(text.as_bytes().to_vec(), Setup::from_json(setup).expect("a setup"));
-        while !run.advance(usize::MAX) {}
+        let mut run = Run::finished(text.as_bytes().to_vec(), Setup::from_json(setup).expect("a setup"));
         let lines = LineIndex::new(run.text());
         let mut roles = Vec::new();
         for line in 0..lines.len() {
             let start = lines.line(run.text(), line).start;
-            let Some(found) = replay(&mut run, start) else { continue };
+            let Some(found) = replay(&mut run, &lines, start) else { continue };
             let block = found.block(&run);
             let asked = Query::new(&run, &found, &block);
             for word in &block.words {

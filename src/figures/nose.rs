@@ -2,19 +2,15 @@
 //!
 //! In: the motions and the simulation of a run. Out: a detail at the first compensated taper.
 
-use std::f64::consts::TAU;
-
 use crate::geometry::Point;
 use crate::machine::SimulationResult;
 use crate::motion::{Motion, Motions};
 use crate::scene::annotation::{Annotation, Detail, Measure, Shape};
+use crate::scene::surface_moves::circle;
 
-/// Number of corners of the circle.
-const CORNERS: u32 = 48;
-
-/// The nose at the middle of the first taper that a tool for outside turning cuts with G41 or G42. Without compensation P moves along the
-/// programmed line, and the nose cuts a parallel line. `Δ` is their distance along X, on the radius. `None` without a
-/// taper, or if the nose radius is not known.
+/// The nose at the middle of the first taper that a tool for outside turning cuts with G41 or G42. Without
+/// compensation P moves along the programmed line, and the nose cuts a parallel line. `Δ` is their distance along X,
+/// on the radius. `None` without a taper, or if the nose radius is not known.
 pub fn of_nose(simulation: &SimulationResult, motions: &Motions) -> Option<Annotation> {
     let oblique = |motion: &Motion| {
         let (x, z) = (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
@@ -37,10 +33,8 @@ pub fn of_nose(simulation: &SimulationResult, motions: &Motions) -> Option<Annot
     let span = [tip.z - 2.0 * radius, tip.z + 3.5 * radius];
     let programmed = span.map(|z| Point::new(at(z), z)).to_vec();
     let cut = span.map(|z| Point::new(at(z) + error, z)).to_vec();
-    let circle = (0..=CORNERS).map(|corner| {
-        let (sin, cos) = (TAU * f64::from(corner) / f64::from(CORNERS)).sin_cos();
-        Point::new(center.x + radius * sin, center.z + radius * cos)
-    });
+    let mut circle: Vec<Point> = circle(radius).into_iter().map(|corner| corner.moved(center)).collect();
+    circle.extend_from_within(..1);
     let measured = vec![Point::new(center.x, tip.z), tip, Point::new(tip.x, center.z)];
     let side = tip.z + 2.8 * radius;
     let (sin, cos) = 45f64.to_radians().sin_cos();
@@ -55,6 +49,6 @@ pub fn of_nose(simulation: &SimulationResult, motions: &Motions) -> Option<Annot
             Measure::Length(error.abs()),
         ),
     ];
-    let lines = vec![programmed, cut, circle.collect(), measured];
+    let lines = vec![programmed, cut, circle, measured];
     Some(Annotation::detail(Detail { at: tip, radius: 2.0 * radius, lines, annotations }))
 }

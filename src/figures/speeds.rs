@@ -3,6 +3,7 @@
 //! In: a finished run. Out: the chart and its annotations; `None` if the program sets no cutting speed.
 
 use super::replay;
+use crate::control::modal::Spindle;
 use crate::motion::Process;
 use crate::run::Run;
 use crate::scene::annotation::{Annotation, Measure, Shape};
@@ -26,26 +27,19 @@ pub fn of_speeds(run: &mut Run) -> Option<(SpeedChart, Vec<Annotation>)> {
         if !span.of(run.text()).iter().any(sets_speed) {
             continue;
         }
-        let Some(visit) = replay(run, span.start).and_then(|found| found.visit) else { continue };
+        let Some(visit) = replay(run, &lines, span.start).and_then(|found| found.visit) else { continue };
         let state = &visit.after.state;
-        let spindle = &state.spindle;
+        let spindle = state.spindle;
         if !spindle.surface || spindle.cutting_speed <= 0.0 {
             continue;
         }
         let process = Process { uncertain: false, ..state.process() };
         let block = (Span::new(span.start as usize, span.end as usize), line);
-        let curve = Curve {
-            cutting_speed: spindle.cutting_speed,
-            highest: spindle.highest,
-            lowest: spindle.lowest,
-            process,
-            block,
-        };
-        // The limits may follow the speed in a block of their own.
-        curves.pop_if(|last| last.cutting_speed == curve.cutting_speed);
-        let values = |own: &Curve| (own.cutting_speed, own.highest, own.lowest);
-        if !curves.iter().any(|other| values(other) == values(&curve)) {
-            curves.push(curve);
+        // A later block may set the limits.
+        curves.pop_if(|last| last.spindle.cutting_speed == spindle.cutting_speed);
+        let values = |own: &Spindle| (own.cutting_speed, own.highest, own.lowest);
+        if !curves.iter().any(|other| values(&other.spindle) == values(&spindle)) {
+            curves.push(Curve { spindle, process, block });
         }
     }
     let blank = run.setup_at_machine().stock.map(|stock| stock.diameter.mm());
@@ -58,7 +52,12 @@ pub fn of_speeds(run: &mut Run) -> Option<(SpeedChart, Vec<Annotation>)> {
     for curve in &curves {
         let at = blank.unwrap_or(0.8 * diameter);
         annotations.push(note(at, curve.speed(at), "n", Measure::Count(curve.speed(at).round())));
-        annotations.push(note(0.9 * at, curve.speed(0.9 * at), "v", Measure::Count(curve.cutting_speed)));
+        annotations.push(note(
+            0.9 * at,
+            curve.speed(0.9 * at),
+            "v",
+            Measure::Count(curve.spindle.cutting_speed),
+        ));
         for limit in curve.limits_until(diameter) {
             let rounded = (10.0 * limit).round() / 10.0;
             annotations.push(note(limit, curve.speed(limit), "", Measure::Diameter(rounded)));
@@ -66,7 +65,8 @@ pub fn of_speeds(run: &mut Run) -> Option<(SpeedChart, Vec<Annotation>)> {
     }
     let mut limits: Vec<(f64, &'static str)> = Vec::new();
     for curve in &curves {
-        for limit in [curve.highest.map(|speed| (speed, "S")), curve.lowest.map(|speed| (speed, "Q"))] {
+        let Spindle { highest, lowest, .. } = curve.spindle;
+        for limit in [highest.map(|speed| (speed, "S")), lowest.map(|speed| (speed, "Q"))] {
             limits.extend(limit.filter(|limit| !limits.contains(limit)));
         }
     }

@@ -211,8 +211,8 @@ impl DangerDetector {
             // A gripper only touches the workpiece.
             _ if motion.process.still => {
                 let is_near = self.stock.is_some_and(|stock| near(&stock, &[motion.from, motion.to]));
-                let now = part.now();
-                if is_near && tool.shape.solids().any(|solid| hit(now, solid, motion).is_some()) {
+                let hits = |solid| hit(part.now(), solid, motion).is_some();
+                if is_near && tool.shape.solids().any(hits) {
                     self.stopped_inside = Some(station);
                 }
             }

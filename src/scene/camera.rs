@@ -24,6 +24,11 @@ impl Pixel {
         Self { x, y }
     }
 
+    /// The position at a share of a line.
+    pub fn at_share([from, to]: [Self; 2], share: f64) -> Self {
+        Self::new(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y))
+    }
+
     /// Distance to another position, CSS pixels.
     pub fn distance(self, other: Pixel) -> f64 {
         (self.x - other.x).hypot(self.y - other.y)

@@ -105,16 +105,26 @@ impl Occupied {
 
     /// Whether most of a line lies on what is drawn.
     pub fn covers(&self, from: Pixel, to: Pixel) -> bool {
-        let size = [self.columns as f64 * CELL, self.rows as f64 * CELL];
-        let Some([from, to]) = clipped(from, to, size) else { return false };
-        let steps = (from.distance(to) / CELL).ceil().max(1.0) as usize;
-        let is_drawn = |step: &usize| {
-            let share = *step as f64 / steps as f64;
-            let [x, y] = [from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)];
-            let (column, row) = ((x / CELL) as usize, (y / CELL) as usize);
-            column < self.columns && row < self.rows && self.cells[row * self.columns + column]
-        };
-        2 * (0..=steps).filter(is_drawn).count() > steps
+        let (mut drawn, mut all) = (0, 0);
+        for cell in self.cells_along([from, to], CELL) {
+            drawn += usize::from(self.cells[cell]);
+            all += 1;
+        }
+        2 * drawn >= all && drawn > 0
+    }
+
+    /// The cells of the picture along a line, at steps of a length, CSS pixels; a cell may be repeated.
+    fn cells_along(&self, [from, to]: [Pixel; 2], step: f64) -> impl Iterator<Item = usize> + use<> {
+        let (columns, rows) = (self.columns, self.rows);
+        let ends = clipped(from, to, [columns as f64 * CELL, rows as f64 * CELL]);
+        ends.into_iter().flat_map(move |ends| {
+            let steps = (ends[0].distance(ends[1]) / step).ceil().max(1.0);
+            (0..=steps as usize).filter_map(move |at| {
+                let Pixel { x, y } = Pixel::at_share(ends, at as f64 / steps);
+                let (column, row) = ((x / CELL) as usize, (y / CELL) as usize);
+                (column < columns && row < rows).then_some(row * columns + column)
+            })
+        })
     }
 
     fn outlines(&mut self, outlines: impl Iterator<Item = Vec<Point>>, plane: Plane, camera: &Camera) {
@@ -146,17 +156,8 @@ impl Occupied {
 
     /// Marks the cells along a line.
     fn line(&mut self, from: Pixel, to: Pixel) {
-        let size = [self.columns as f64 * CELL, self.rows as f64 * CELL];
-        let Some([from, to]) = clipped(from, to, size) else { return };
-        let steps = (from.distance(to) / (CELL / 2.0)).ceil().max(1.0);
-        for step in 0..=steps as usize {
-            let share = step as f64 / steps;
-            let x = from.x + share * (to.x - from.x);
-            let y = from.y + share * (to.y - from.y);
-            let (column, row) = ((x / CELL) as usize, (y / CELL) as usize);
-            if column < self.columns && row < self.rows {
-                self.cells[row * self.columns + column] = true;
-            }
+        for cell in self.cells_along([from, to], CELL / 2.0) {
+            self.cells[cell] = true;
         }
     }
 }
@@ -178,6 +179,5 @@ fn clipped(from: Pixel, to: Pixel, [width, height]: [f64; 2]) -> Option<[Pixel; 
         enter = f64::max(enter, a.min(b));
         leave = f64::min(leave, a.max(b));
     }
-    let at = |share: f64| Pixel::new(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
-    (enter <= leave).then(|| [at(enter), at(leave)])
+    (enter <= leave).then(|| [enter, leave].map(|share| Pixel::at_share([from, to], share)))
 }

@@ -485,7 +485,7 @@ impl Placing<'_> {
         // The gap for the label is closed.
         let lines = match &candidate.lines[..] {
             [first, last] => vec![vec![*first.first()?, *last.last()?]],
-            // The leader of a note is drawn anew.
+            // A note gets a new leader.
             _ if candidate.feature.is_some() && candidate.heads.is_empty() => Vec::new(),
             _ => candidate.lines.clone(),
         };
@@ -603,13 +603,9 @@ fn beside([from, to]: [Pixel; 2], size: [f64; 2]) -> Vec<Candidate> {
     for share in [0.5, 0.35, 0.65, 0.2, 0.8] {
         for side in [1.0, -1.0] {
             let away = side * (size[1] / 2.0 + 3.0 + (size[0] - size[1]).max(0.0) / 2.0 * unit.y.abs());
-            let middle = Pixel::new(
-                from.x + share * (to.x - from.x) + away * unit.y,
-                from.y + share * (to.y - from.y) - away * unit.x,
-            );
+            let at = |share: f64| Pixel::at_share([from, to], share);
+            let middle = Pixel::new(at(share).x + away * unit.y, at(share).y - away * unit.x);
             let area = Rectangle::around(middle, size[0], size[1]);
-            let at =
-                |share: f64| Pixel::new(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
             all.push(Candidate {
                 lines: Vec::new(),
                 extensions: Vec::new(),
@@ -841,9 +837,8 @@ fn ends_of(line: &[Pixel]) -> Option<[Pixel; 2]> {
 
 /// The part of a line that a leader may touch: not its arrows.
 fn middle_part(line: &[Pixel]) -> Option<[Pixel; 2]> {
-    let (from, to) = (line.first()?, line.last()?);
-    let at = |share: f64| Pixel::new(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
-    Some([at(0.35), at(0.65)])
+    let ends = [*line.first()?, *line.last()?];
+    Some([0.35, 0.65].map(|share| Pixel::at_share(ends, share)))
 }
 
 /// The point of a straight line that is nearest to `at`.
@@ -851,8 +846,7 @@ fn nearest_on([from, to]: [Pixel; 2], at: Pixel) -> Pixel {
     let (x, y) = (to.x - from.x, to.y - from.y);
     let square = x * x + y * y;
     let share = if square < 1e-9 { 0.0 } else { ((at.x - from.x) * x + (at.y - from.y) * y) / square };
-    let share = within(share, 0.0, 1.0);
-    Pixel::new(from.x + share * x, from.y + share * y)
+    Pixel::at_share([from, to], within(share, 0.0, 1.0))
 }
 
 /// Whether a leader is neither level nor upright: those could be taken for strokes and dimension lines (ISO 128-22).

@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 use super::Plane;
 use super::ruler::Axis;
 use super::surface_moves::{Gathered, Origin, SurfaceMoves};
+use crate::control::modal::Spindle;
 use crate::geometry::Point;
 use crate::motion::{Motion, MotionKind, Process};
 use crate::source::Span;
@@ -16,12 +17,8 @@ use crate::units::Diameter;
 /// A constant surface speed with its limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve {
-    /// Cutting speed, m/min.
-    pub cutting_speed: f64,
-    /// Highest speed, rpm (G50 S).
-    pub highest: Option<f64>,
-    /// Lowest speed, rpm (G50 Q).
-    pub lowest: Option<f64>,
+    /// The spindle under G96.
+    pub spindle: Spindle,
     /// Feed, spindle and tool in force.
     pub process: Process,
     /// The block that sets it, and its line, from 0.
@@ -29,17 +26,16 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// Spindle speed at a diameter in mm, rpm. If the limits are reversed, the highest speed wins.
+    /// Spindle speed at a diameter in mm, rpm; 0 at the axis without a limit.
     pub fn speed(&self, diameter: f64) -> f64 {
-        let free = 1000.0 * self.cutting_speed / (PI * diameter);
-        let fast = self.lowest.map_or(free, |lowest| free.max(lowest));
-        self.highest.map_or(fast, |highest| fast.min(highest))
+        self.spindle.speed_at(Diameter::new(diameter).radius()).unwrap_or(0.0)
     }
 
     /// The diameters below `end` at which a limit begins to hold, mm: of the highest, then of the lowest speed.
     pub fn limits_until(&self, end: f64) -> impl Iterator<Item = f64> {
-        let limits = [self.highest, self.lowest].into_iter().flatten();
-        limits.map(|limit| 1000.0 * self.cutting_speed / (PI * limit)).filter(move |at| *at < end)
+        let Spindle { cutting_speed, highest, lowest, .. } = self.spindle;
+        let limits = [highest, lowest].into_iter().flatten();
+        limits.map(move |limit| 1000.0 * cutting_speed / (PI * limit)).filter(move |at| *at < end)
     }
 }
 
@@ -61,7 +57,7 @@ const FIRST: f64 = 0.1;
 impl SpeedChart {
     /// The chart of curves up to a diameter, mm; `None` without a curve.
     pub fn of(curves: &[Curve], diameter: f64) -> Option<Self> {
-        let start = |curve: &Curve| if curve.highest.is_some() { 0.0 } else { FIRST * diameter };
+        let start = |curve: &Curve| if curve.spindle.highest.is_some() { 0.0 } else { FIRST * diameter };
         let top = |curve: &Curve| curve.speed(start(curve).max(1e-6));
         let highest = curves.iter().map(top).fold(0.0, f64::max);
         let scale = Some(highest / (HEIGHT * Diameter::new(diameter).radius()))
@@ -76,20 +72,10 @@ impl SpeedChart {
             diameters.sort_by(f64::total_cmp);
             let place = |at: f64| Point::new(curve.speed(at.max(1e-6)) / scale, Diameter::new(at).radius());
             for ends in diameters.windows(2) {
-                let motion = Motion {
-                    kind: MotionKind::Feed,
-                    from: place(ends[0]),
-                    to: place(ends[1]),
-                    center: None,
-                    lead: None,
-                    lead_change: None,
-                    start_angle: 0.0,
-                    seconds: None,
-                    programmed: None,
-                    rotary: None,
-                    cycle: None,
-                    process: Process { zero: Point::default(), tip_shift: Point::default(), ..curve.process },
-                };
+                let process =
+                    Process { zero: Point::default(), tip_shift: Point::default(), ..curve.process };
+                let [from, to] = [ends[0], ends[1]].map(place);
+                let motion = Motion::straight(MotionKind::Feed, from, to, process);
                 let origin = Origin { motion: gathered.len(), shares: [0.0, 1.0], cutter: None };
                 gathered.push(&motion, curve.block, origin);
             }

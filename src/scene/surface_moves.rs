@@ -219,7 +219,7 @@ pub(super) fn cutter_radius(resolved_tool: &ResolvedTool) -> Option<f64> {
 }
 
 /// A circle around the origin as a polygon, counter-clockwise.
-pub(super) fn circle(radius: f64) -> Vec<Point> {
+pub fn circle(radius: f64) -> Vec<Point> {
     let corner = |index: u32| {
         let angle = TAU * f64::from(index) / f64::from(CORNERS);
         Point::new(radius * angle.sin(), radius * angle.cos())

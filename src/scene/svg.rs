@@ -185,9 +185,8 @@ pub fn camera(scene: &Scene, options: &SvgOptions) -> Camera {
 
 /// The strokes that are drawn.
 fn drawn<'a>(scene: &Scene<'a>, options: &SvgOptions) -> impl Iterator<Item = Stroke> {
-    let all = options.contents == Contents::All;
-    let strokes = scene.strokes().take(if all { usize::MAX } else { 0 });
-    strokes.filter(|stroke| {
+    let strokes = Some(scene.strokes()).filter(|_| options.contents == Contents::All);
+    strokes.into_iter().flatten().filter(|stroke| {
         options.motions.as_ref().is_none_or(|motions| motions.iter().any(|own| own.contains(&stroke.motion)))
     })
 }

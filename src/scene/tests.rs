@@ -96,21 +96,7 @@ impl Path {
             zero: Point::default(),
             tip_shift: Point::default(),
         };
-        let (lead, seconds) = (None, None);
-        self.list.push(Motion {
-            kind,
-            from: self.at,
-            to,
-            center,
-            lead,
-            lead_change: None,
-            start_angle: 0.0,
-            seconds,
-            programmed: None,
-            rotary: None,
-            cycle: None,
-            process,
-        });
+        self.list.push(Motion { center, ..Motion::straight(kind, self.at, to, process) });
         self.at = to;
         self
     }

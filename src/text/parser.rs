@@ -920,8 +920,8 @@ impl<'a> Parser<'a> {
         word.is_some_and(|word| between(word).iter().all(|&byte| is_blank(byte)))
     }
 
-    /// Reads a `%`. At the head of a block it is a block of its own, after a program it ends the
-    /// program, and elsewhere it is an error.
+    /// Reads a `%`. At the head of a block it is a separate block, after a program it ends the program, and
+    /// elsewhere it is an error.
     fn percent(&mut self, block: &mut Block, span: Span) {
         if block.words.is_empty() && block.program.is_none() && block.sequence.is_none() {
             block.kind = BlockKind::Percent;

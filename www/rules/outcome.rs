@@ -117,9 +117,7 @@ impl Outcome {
 
     /// The dimension of the word at a byte.
     fn dimension(&self, byte: u32) -> Vec<Annotation> {
-        let mut run = Run::new(self.text.clone(), self.analysis.setup.clone());
-        while !run.advance(usize::MAX) {}
-        figures::of_word(&mut run, byte)
+        figures::of_word(&mut Run::finished(self.text.clone(), self.analysis.setup.clone()), byte)
     }
 
     /// The difference from another part of the same blank, if it is small.
@@ -140,7 +138,8 @@ impl Outcome {
 pub fn same_word(faulty: &str, byte: u32, corrected: &str) -> Option<u32> {
     let before = faulty.get(..byte as usize)?;
     let address = faulty[byte as usize..].chars().next()?;
-    let line = corrected.split_inclusive('\n').nth(before.matches('\n').count())?;
-    let start: usize = corrected.split_inclusive('\n').take(before.matches('\n').count()).map(str::len).sum();
-    Some((start + line.find(address)?) as u32)
+    let number = before.matches('\n').count();
+    let mut lines = corrected.split_inclusive('\n');
+    let start: usize = lines.by_ref().take(number).map(str::len).sum();
+    Some((start + lines.next()?.find(address)?) as u32)
 }

@@ -36,21 +36,9 @@ impl Interpreter {
     /// A motion from the position of the tip.
     #[inline]
     pub(super) fn motion(&self, kind: MotionKind, to: Point) -> Motion {
-        Motion {
-            kind,
-            from: self.state.position,
-            to,
-            center: None,
-            lead: None,
-            lead_change: None,
-            start_angle: 0.0,
-            seconds: None,
-            programmed: None,
-            rotary: None,
-            cycle: None,
-            // `store` determines whether a block has failed, because the motion may wait for the next one.
-            process: Process { incomplete: false, ..self.state.process() },
-        }
+        // `store` determines whether a block has failed, because the motion may wait for the next one.
+        let process = Process { incomplete: false, ..self.state.process() };
+        Motion::straight(kind, self.state.position, to, process)
     }
 
     /// Outputs a motion unless it changes nothing, and moves the tip to its end.

@@ -1,7 +1,8 @@
 //! Draws the figures of the manual.
 //!
-//! In: a program and what the figure shows: `cycle:LINE`, `part`, `word:LINE:COLUMN`, `face` for the end face, `side`
-//! for the unrolled side, `speeds` for the speed over the diameter, or `nose`. Out: SVG with a legend in the language of the page.
+//! In: a program and the kind of its figure: `cycle:LINE`, `part`, `word:LINE:COLUMN` or `nose`; `face`, the end face;
+//! `side`, the unrolled side; `speeds`, the spindle speed over the diameter. Out: SVG, with a legend in the language of
+//! the page.
 
 use std::fs;
 use std::path::Path;
@@ -25,11 +26,7 @@ const WIDTH: f64 = 736.0;
 pub fn draw(program: &Path, setup: &str, kind: &str, language: Language) -> Result<String, String> {
     let text = fs::read(program).map_err(|error| format!("{}: {error}", program.display()))?;
     let setup = Setup::from_json(setup).map_err(|error| format!("setup: {error}"))?;
-    let finished = || {
-        let mut run = Run::new(text.clone(), setup.clone());
-        while !run.advance(usize::MAX) {}
-        run
-    };
+    let finished = || Run::finished(text.clone(), setup.clone());
     let Analysis { motions, setup: own, unit, .. } = &finished().into_analysis();
     let simulation = SimulationResult::of(motions, own);
     let symbol = labels::unit_of_ruler(*unit, language);

@@ -3,7 +3,7 @@
 //! In: `www/manual`, with a folder of documents for each language and a folder of examples. Out: files by name: a
 //! page for each document, its figures, and one style sheet. Must not know: the contents of the documents.
 //!
-//! The links of `index.md` give the order of the pages. In a paragraph of its own
+//! The links of `index.md` give the order of the pages. A paragraph with one of these only is replaced:
 //!
 //! * a link to a program (`[caption](../examples/moves.nc)`) becomes an element with that program,
 //! * an image of a program (`![caption](../examples/g90.nc "cycle:4")`) becomes a figure ([`super::figure`]),
@@ -27,8 +27,12 @@ use super::site::{anchor, escaped, is_comment, plain};
 use super::{figure, form};
 
 /// The colours come first, so that the pages and the playground share them.
-const STYLES: [&str; 3] =
-    [include_str!("../../src/tokens.css"), include_str!("../../rules/rules.css"), include_str!("manual.css")];
+const STYLES: [&str; 4] = [
+    include_str!("../../src/tokens.css"),
+    include_str!("../../rules/rules.css"),
+    include_str!("pages.css"),
+    include_str!("manual.css"),
+];
 
 /// Content-Security-Policy: the element and its files come from the host of the page.
 const POLICY: &str = include_str!("manual-policy.html");

@@ -15,8 +15,12 @@ use std::{fs, io};
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 
 /// The colours come first, so that the pages and the playground share them.
-const STYLES: [&str; 3] =
-    [include_str!("../../src/tokens.css"), include_str!("../../rules/rules.css"), include_str!("docs.css")];
+const STYLES: [&str; 4] = [
+    include_str!("../../src/tokens.css"),
+    include_str!("../../rules/rules.css"),
+    include_str!("pages.css"),
+    include_str!("docs.css"),
+];
 
 /// Content-Security-Policy of the rule pages: no scripts.
 const POLICY: &str = include_str!("../../rules/policy.html");
