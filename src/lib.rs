@@ -74,6 +74,7 @@ pub mod sentences;
 pub mod setup;
 pub mod source;
 pub mod text;
+pub mod threads;
 pub mod units;
 #[cfg(all(target_arch = "wasm32", not(feature = "npx")))]
 pub mod wasm;

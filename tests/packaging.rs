@@ -66,6 +66,7 @@ fn the_package_has_what_a_user_needs_and_no_more() {
         "src/rules/build.rs",
         "src/rules/rapid-through-stock.md",
         "src/sentences/en.txt",
+        "src/threads/metric.tsv",
         "src/wasm.rs",
         "www/docs/library.md",
         "www/docs/setup.md",
@@ -79,7 +80,7 @@ fn the_package_has_what_a_user_needs_and_no_more() {
             let is_test =
                 rest.ends_with("/tests.rs") || rest.contains("/tests/") || rest.ends_with("README.md");
             let is_source =
-                [".rs", ".css", ".json", ".md", ".txt"].iter().any(|ending| rest.ends_with(ending));
+                [".rs", ".css", ".json", ".md", ".tsv", ".txt"].iter().any(|ending| rest.ends_with(ending));
             !is_test && (is_source || rest == "cli/system/node.js")
         }
         Some(("www", rest)) => rest.starts_with("docs/") && rest.ends_with(".md"),
