@@ -12,6 +12,9 @@
 //!
 //! A block quote is an exercise. Links to rule files, programs of the gallery and other pages work in the repository and
 //! on the site. A page that a language lacks is shown in English.
+//!
+//! The headings of a page have the anchors of the English page in each language. A link to a heading or to a row of codes
+//! (`g90.md#step-by-step`, `g71-g72.md#g71`) is therefore valid in each language.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -19,7 +22,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
+use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
 use gcode_playground::sentences::Language;
 
@@ -36,6 +39,12 @@ const STYLES: [&str; 4] = [
 
 /// Content-Security-Policy: the element and its files come from the host of the page.
 const POLICY: &str = include_str!("manual-policy.html");
+
+/// The language whose headings give the anchors.
+const ENGLISH: &str = "en";
+
+/// The licence of the text and the figures.
+const LICENCE: &str = env!("CARGO_PKG_LICENSE");
 
 /// The list of the pages of a language.
 pub const INDEX: &str = "index";
@@ -56,6 +65,7 @@ struct Words {
     pages: &'static str,
     next: &'static str,
     previous: &'static str,
+    licence: &'static str,
     in_english: &'static str,
 }
 
@@ -69,6 +79,7 @@ const LANGUAGES: [Words; 3] = [
         pages: "Pages",
         next: "Next",
         previous: "Previous",
+        licence: "Licence of text and figures: ",
         in_english: "",
     },
     Words {
@@ -80,6 +91,7 @@ const LANGUAGES: [Words; 3] = [
         pages: "各页",
         next: "下一页",
         previous: "上一页",
+        licence: "文字与插图的许可证：",
         in_english: "本页尚无中文版，以下为英文。",
     },
     Words {
@@ -91,6 +103,7 @@ const LANGUAGES: [Words; 3] = [
         pages: "Страницы",
         next: "Дальше",
         previous: "Назад",
+        licence: "Лицензия текста и рисунков: ",
         in_english: "Этой страницы ещё нет на русском языке; ниже она на английском.",
     },
 ];
@@ -184,7 +197,11 @@ impl Book {
                 );
             }
         }
-        out.push_str("</nav>\n</main>\n</body>\n</html>\n");
+        let _ = writeln!(
+            out,
+            "</nav>\n</main>\n<footer>{}<span lang=\"en\">{LICENCE}</span></footer>\n</body>\n</html>",
+            words.licence
+        );
         out
     }
 }
@@ -212,7 +229,7 @@ impl Page {
             return Self::read_file(&own, name, folder);
         }
         println!("{} is not translated", own.display());
-        let folder = folder.with_file_name("en");
+        let folder = folder.with_file_name(ENGLISH);
         let english = Self::read_file(&folder.join(format!("{name}.md")), name, &folder)?;
         let note = format!("<p class=\"note\">{}</p>\n", words.in_english);
         Ok(Self { body: format!("{note}<div lang=\"en\">\n{}</div>\n", english.body), ..english })
@@ -221,11 +238,21 @@ impl Page {
     fn read_file(path: &Path, name: &str, folder: &Path) -> Result<Self, String> {
         let at = |mistake: String| format!("{}: {mistake}", path.display());
         let text = fs::read_to_string(path).map_err(|error| at(error.to_string()))?;
-        Self::new(&text, name, folder).map_err(at)
+        if language(folder) == ENGLISH {
+            return Self::new(&text, name, folder).map_err(at);
+        }
+        Self::with_headings(&text, &english(folder, name)?, name, folder).map_err(at)
     }
 
-    /// Renders a document of a folder, which is named after its language. HTML in it is an error, except comments, which are left out.
+    /// Renders an English document of a folder. HTML in it is an error, except comments, which are left out.
     pub fn new(text: &str, name: &str, folder: &Path) -> Result<Self, String> {
+        Self::with_headings(text, text, name, folder)
+    }
+
+    /// Renders a document of a folder, which is named after its language, with the anchors of the English document. A
+    /// difference between the headings of both is an error.
+    pub fn with_headings(text: &str, english: &str, name: &str, folder: &Path) -> Result<Self, String> {
+        let mut ids = headings(english)?.into_iter();
         let events: Vec<Event> = Parser::new_ext(text, Options::ENABLE_TABLES).collect();
         let mut page = Page {
             name: name.into(),
@@ -255,7 +282,10 @@ impl Page {
                 }
                 Event::Start(Tag::Heading { level, classes, attrs, .. }) => {
                     let title = plain(&events[at..], |end| matches!(end, TagEnd::Heading(_)));
-                    let id = Some(anchor(&title).into());
+                    let id = match ids.next() {
+                        Some((of_english, id)) if of_english == *level => Some(id.into()),
+                        _ => return Err(format!("the English page has no such heading: `{title}`")),
+                    };
                     if page.title.is_empty() {
                         page.title = title;
                     }
@@ -285,6 +315,9 @@ impl Page {
                 _ => event.clone(),
             };
             shown.push(rendered);
+        }
+        if let Some((_, id)) = ids.next() {
+            return Err(format!("the heading `{id}` of the English page is missing"));
         }
         html::push_html(&mut page.body, shown.into_iter());
         if page.title.is_empty() { Err("no heading".to_owned()) } else { Ok(page) }
@@ -327,7 +360,8 @@ impl Page {
         if link.starts_with("https://") {
             return Ok(link.to_owned());
         }
-        if !folder.join(link).is_file() {
+        let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+        if !folder.join(file).is_file() {
             return Err(format!("the link `{link}` leads nowhere"));
         }
         let stem = |text: &str| text.strip_suffix(".md").map(str::to_owned);
@@ -338,11 +372,16 @@ impl Page {
         if let Some(program) = link.strip_prefix("../../../tests/programs/").and_then(gallery) {
             return Ok(format!("../../index.html#{program}"));
         }
-        match stem(link).filter(|page| !page.contains('/')) {
-            Some(page) => {
+        match stem(file).filter(|page| !page.contains('/')) {
+            Some(page) if anchor.is_empty() => {
                 self.links.push(page.clone());
                 Ok(format!("{page}.html"))
             }
+            Some(page) if anchors(&english(folder, &page)?)?.iter().any(|known| known == anchor) => {
+                self.links.push(page.clone());
+                Ok(format!("{page}.html#{anchor}"))
+            }
+            Some(_) => Err(format!("the link `{link}` leads to no heading and no code")),
             None => Err(format!("the link `{link}` is to nothing on the site")),
         }
     }
@@ -356,6 +395,35 @@ fn language(folder: &Path) -> Cow<'_, str> {
 fn language_of(folder: &Path) -> Language {
     let tag = language(folder);
     Language::ALL.into_iter().find(|language| language.tag() == tag).unwrap_or(Language::English)
+}
+
+/// The English document of a page.
+fn english(folder: &Path, name: &str) -> Result<String, String> {
+    let path = folder.with_file_name(ENGLISH).join(format!("{name}.md"));
+    fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))
+}
+
+/// The headings of a document: level and anchor.
+fn headings(text: &str) -> Result<Vec<(HeadingLevel, String)>, String> {
+    let events: Vec<Event> = Parser::new_ext(text, Options::ENABLE_TABLES).collect();
+    let mut found: Vec<(HeadingLevel, String)> = Vec::new();
+    for (at, event) in events.iter().enumerate() {
+        if let Event::Start(Tag::Heading { level, .. }) = event {
+            let id = anchor(&plain(&events[at..], |end| matches!(end, TagEnd::Heading(_))));
+            if found.iter().any(|(_, known)| *known == id) {
+                return Err(format!("two headings have the anchor `{id}`"));
+            }
+            found.push((*level, id));
+        }
+    }
+    Ok(found)
+}
+
+/// The anchors of a document: its headings, and its rows of codes.
+fn anchors(text: &str) -> Result<Vec<String>, String> {
+    let directives = text.lines().filter_map(|line| line.strip_prefix("{codes ")?.strip_suffix('}'));
+    let codes = directives.flat_map(form::names_of).map(form::anchor);
+    Ok(headings(text)?.into_iter().map(|(_, id)| id).chain(codes).collect())
 }
 
 /// The caption and the program of a paragraph that is only a link to a program.
