@@ -9,6 +9,7 @@
 //! * `lines`: keys of the last motion of a line, as in the output of the command `motions`
 //! * `messages`: the slugs of all messages except notes; none if it is missing
 //! * `tries`: the same after the replacements of `change`, which are exercises of the page
+//! * `task`: the same for a solution of the task of the page; the page does not show it
 
 #[path = "../www/docs/html/figure.rs"]
 mod figure;
@@ -23,6 +24,7 @@ use crate::reference_pages::site;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use gcode_playground::api;
 use gcode_playground::machine::SimulationResult;
@@ -115,6 +117,29 @@ fn every_page_exists_in_three_languages_with_the_same_examples() {
     assert_eq!(used, stems("examples", ".nc"), "each example is on a page");
 }
 
+/// A link to a heading leads to the same heading in each language: `zh/g90.html#step-by-step`.
+#[test]
+fn headings_have_the_anchors_of_the_english_page() {
+    let files = files();
+    let ids = |html: &str| {
+        let headings = html.lines().filter(|line| line.starts_with("<h"));
+        let ids = headings.filter_map(|line| line.split(" id=\"").nth(1)?.split('"').next());
+        ids.map(str::to_owned).collect::<Vec<_>>()
+    };
+    for page in stems("en", ".md") {
+        let english = ids(&files[&format!("en/{page}.html")]);
+        let headings = document("en", &page).lines().filter(|line| line.starts_with('#')).count();
+        assert_eq!(english.len(), headings, "{page}");
+        for language in LANGUAGES {
+            assert_eq!(ids(&files[&format!("{language}/{page}.html")]), english, "{language}/{page}");
+        }
+    }
+    for language in LANGUAGES {
+        let html = &files[&format!("{language}/g90.html")];
+        assert!(html.contains("<h2 id=\"step-by-step\">"), "{language}");
+    }
+}
+
 /// The rows of codes have anchors: `g71-g72.html#g71`.
 #[test]
 fn each_code_that_is_carried_out_has_one_row_in_the_manual() {
@@ -162,7 +187,7 @@ fn links_between_the_pages_are_valid_and_each_page_has_its_neighbours() {
     for (name, html) in files.iter().filter(|(name, _)| name.ends_with(".html")) {
         let language = name.split('/').next().expect("a folder");
         for link in [between(html, " href=\"", "\""), between(html, " src=\"", "\"")].concat() {
-            let path = link.split('#').next().unwrap_or_default();
+            let (path, anchor) = link.split_once('#').unwrap_or((link, ""));
             let is_valid = match path.strip_prefix("../../") {
                 // Files beside the folder of the pages.
                 Some("index.html" | "element.js") => true,
@@ -176,7 +201,8 @@ fn links_between_the_pages_are_valid_and_each_page_has_its_neighbours() {
                 None => {
                     let inside =
                         path.strip_prefix("../").map_or_else(|| format!("{language}/{path}"), str::to_owned);
-                    files.contains_key(&inside)
+                    let id = format!(" id=\"{anchor}\"");
+                    files.get(&inside).is_some_and(|html| anchor.is_empty() || html.contains(&id))
                 }
             };
             assert!(is_valid, "{name}: {link}");
@@ -237,12 +263,36 @@ fn differences(text: &str, setup: &Setup, expected: &Value) -> Vec<String> {
     found
 }
 
+/// The replacements of an exercise: a text of the program, and the text that replaces it.
+fn replacements(exercise: &Value) -> impl Iterator<Item = (&str, &str)> {
+    let change = exercise["change"].as_object().expect("a change");
+    change.iter().map(|(from, to)| (from.as_str(), to.as_str().expect("a text")))
+}
+
+/// The pages of the way through, in their order.
+fn chapters() -> Vec<String> {
+    let index = document("en", pages::INDEX);
+    let listed = index.lines().filter(|line| line.starts_with(|first: char| first.is_ascii_digit()));
+    listed.map(|line| between(line, "](", ".md)")[0].to_owned()).collect()
+}
+
+#[test]
+fn each_chapter_has_one_task() {
+    let chapters = chapters();
+    assert_eq!(chapters.len(), 12, "{chapters:?}");
+    for (language, task) in LANGUAGES.into_iter().zip(["**Task**", "**练习**", "**Задача**"]) {
+        for chapter in &chapters {
+            assert_eq!(document(language, chapter).matches(task).count(), 1, "{language}/{chapter}");
+        }
+    }
+}
+
 #[test]
 fn examples_and_exercises_give_the_stated_results() {
     let setup = Setup::from_json(&source("www/manual/examples/setup.json")).expect("a setup");
     let pages: BTreeMap<String, String> =
         stems("en", ".md").into_iter().map(|page| (page.clone(), document("en", &page))).collect();
-    let (mut wrong, mut tries) = (Vec::new(), 0);
+    let (mut wrong, mut tries, mut tasks) = (Vec::new(), 0, 0);
     for example in stems("examples", ".nc") {
         let text = source(&format!("www/manual/examples/{example}.nc"));
         let json = source(&format!("www/manual/examples/{example}.json"));
@@ -252,28 +302,38 @@ fn examples_and_exercises_give_the_stated_results() {
         let spans = exercise(page, &example).join(" ");
         for exercise in stated["tries"].as_array().into_iter().flatten() {
             tries += 1;
-            let mut changed = text.clone();
-            for (from, to) in exercise["change"].as_object().expect("a change") {
-                let to = to.as_str().expect("a text");
-                assert_eq!(changed.matches(from).count(), 1, "{example}: `{from}`");
-                changed = changed.replace(from, to);
+            for (from, to) in replacements(exercise) {
                 for word in from.split_whitespace().chain(to.split_whitespace()) {
                     // A word that stays the same is not named.
                     let stays = from.contains(word) && to.contains(word);
                     assert!(stays || spans.contains(word), "{example}: no exercise with `{word}`");
                 }
             }
-            let found = differences(&changed, &setup, exercise);
-            wrong.extend(found.iter().map(|why| format!("{example}, {}: {why}", exercise["change"])));
+        }
+        if let Some(task) = stated.get("task") {
+            assert!(page.contains("**Task**"), "{example}: its page has no task");
+            tasks += 1;
+            assert!(replacements(task).count() > 0, "{example}");
+        }
+        for changed in stated["tries"].as_array().into_iter().flatten().chain(stated.get("task")) {
+            let mut program = text.clone();
+            for (from, to) in replacements(changed) {
+                assert_eq!(program.matches(from).count(), 1, "{example}: `{from}`");
+                program = program.replace(from, to);
+            }
+            let found = differences(&program, &setup, changed);
+            wrong.extend(found.iter().map(|why| format!("{example}, {}: {why}", changed["change"])));
         }
     }
     assert!(tries > 150, "{tries}");
+    // The task of the last chapter is about a program of the gallery.
+    assert_eq!(tasks, chapters().len() - 1);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
 fn a_link_alone_to_a_program_is_an_element_and_other_links_lead_to_the_site() {
-    let text = "# A\n\n[b `c`](../examples/axes.nc)\n\nd [e](moves.md) [f](../../../src/rules/no-program-end.md) [g](../../../tests/programs/s003-g71/program.nc)\n";
+    let text = "# A\n\n[b `c`](../examples/axes.nc)\n\nd [e](moves.md) [f](../../../src/rules/no-program-end.md) [g](../../../tests/programs/s003-g71/program.nc) [h](g90.md#step-by-step) [i](g71-g72.md#g71)\n";
     let page =
         pages::Page::new(text, "a", &folder().join("en")).unwrap_or_else(|mistake| panic!("{mistake}"));
     assert_eq!(page.body.matches("<gcode-playground ").count(), 1, "{}", page.body);
@@ -284,10 +344,48 @@ fn a_link_alone_to_a_program_is_an_element_and_other_links_lead_to_the_site() {
         "href=\"moves.html\"",
         "href=\"../../rules/en/no-program-end.html\"",
         "href=\"../../index.html#s003-g71\"",
+        "href=\"g90.html#step-by-step\"",
+        "href=\"g71-g72.html#g71\"",
     ] {
         assert!(page.body.contains(part), "{part} is missing in\n{}", page.body);
     }
-    assert_eq!(page.links, ["moves"]);
+    assert_eq!(page.links, ["moves", "g90", "g71-g72"]);
+}
+
+/// The addresses and the command of `www/docs/manuals.md`.
+#[test]
+fn the_document_about_manuals_names_pages_that_exist() {
+    let (files, document) = (files(), source("www/docs/manuals.md"));
+    let mut addresses = 0;
+    for address in document.split("manual/").skip(1) {
+        let is_part = |letter: char| letter.is_ascii_alphanumeric() || "/.-#".contains(letter);
+        let address = address.split(|letter| !is_part(letter)).next().unwrap_or_default();
+        let Some((page, anchor)) = address.split_once('#') else { continue };
+        addresses += 1;
+        let html = files.get(page).unwrap_or_else(|| panic!("{page}"));
+        assert!(html.contains(&format!(" id=\"{anchor}\"")), "{address}");
+    }
+    assert_eq!(addresses, 5);
+    let mut commands = document.lines().filter_map(|line| line.strip_prefix("    gcode-playground "));
+    let line = commands.find(|line| line.contains("www/manual/")).expect("a command");
+    let written = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cone.html");
+    let output = Command::new(env!("CARGO_BIN_EXE_gcode-playground"))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .args(line.replace("-o cone.html", "-o").split_whitespace())
+        .arg(&written)
+        .output()
+        .expect("the command line starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let html = fs::read_to_string(written).expect("the element");
+    assert!(html.contains("<svg") && html.contains("G90 X58 Z-20 R-2.3 F0.2"), "{html}");
+}
+
+#[test]
+fn each_page_names_its_licence() {
+    for (name, html) in files().iter().filter(|(name, _)| name.ends_with(".html")) {
+        let footer = between(html, "<footer>", "</footer>");
+        assert!(matches!(footer[..], [text] if text.contains(env!("CARGO_PKG_LICENSE"))), "{name}");
+    }
 }
 
 #[test]
@@ -296,6 +394,8 @@ fn mistakes_in_a_page_are_found() {
         "no heading",
         "# A\n\n<b>c</b>\n",
         "# A\n\n[b](none.md)\n",
+        "# A\n\n[b](g90.md#none)\n",
+        "# A\n\n## A\n",
         "# A\n\n[b](../examples/none.nc)\n",
         "# A\n\nb [c](../examples/axes.nc)\n",
         "# A\n\n[b](http://example.org)\n",
@@ -305,5 +405,15 @@ fn mistakes_in_a_page_are_found() {
         "# A\n\n{table G71}\n",
     ] {
         assert!(pages::Page::new(text, "a", &folder().join("en")).is_err(), "{text}");
+    }
+    let english = "# A\n\n## B\n\n### C\n";
+    for (text, is_valid) in [
+        ("# 甲\n\n## 乙\n\n### 丙\n", true),
+        ("# 甲\n\n## 乙\n", false),
+        ("# 甲\n\n## 乙\n\n## 丙\n", false),
+        ("# 甲\n\n## 乙\n\n### 丙\n\n## 丁\n", false),
+    ] {
+        let page = pages::Page::with_headings(text, english, "a", &folder().join("zh"));
+        assert_eq!(page.is_ok(), is_valid, "{text}");
     }
 }

@@ -2,8 +2,9 @@
 //!
 //! In: the list, with a row for each statement, paraphrased. Out: the targets that do not exist. Targets:
 //! `program ID` (of `tests/programs`, whose motions `tests/programs.rs` checks), `rule SLUG`,
-//! `test FILE::NAME`, `fixture FILE`, `page FILE` (of the reference), `manual TOPIC` (for teaching only: no
-//! program could show it), `open REASON` (not done).
+//! `test FILE::NAME`, `fixture FILE`, `page NAME` or `page NAME#ANCHOR` (of the manual; a heading of its
+//! English page), `open REASON` (not done). Each row has a page.
+use crate::reference_pages::site;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -39,11 +40,22 @@ fn fault(target: &str) -> Option<String> {
         "program" => is_there(format!("tests/programs/{name}/motions.jsonl")),
         "rule" => is_there(format!("src/rules/{name}.md")),
         "test" => is_test(name),
-        "fixture" | "page" => is_there(name.to_owned()),
-        "manual" | "open" => name.split_whitespace().count() >= 3,
+        "fixture" => is_there(name.to_owned()),
+        "page" => is_page(name),
+        "open" => name.split_whitespace().count() >= 3,
         _ => return Some(format!("`{kind}` is no kind of target")),
     };
     (!found).then(|| format!("`{target}` is not there"))
+}
+
+/// Whether the manual has this page, and the English page the heading: `NAME` or `NAME#ANCHOR`.
+fn is_page(name: &str) -> bool {
+    let (page, wanted) = name.split_once('#').map_or((name, None), |(page, anchor)| (page, Some(anchor)));
+    let Ok(text) = fs::read_to_string(format!("www/manual/en/{page}.md")) else { return false };
+    wanted.is_none_or(|wanted| {
+        let mut titles = text.lines().filter(|line| line.starts_with('#'));
+        titles.any(|title| site::anchor(title.trim_start_matches('#').trim()) == wanted)
+    })
 }
 
 /// Whether a file contains the named test: `FILE::NAME`.
@@ -87,6 +99,9 @@ fn every_statement_of_the_seeds_is_shown_somewhere() {
     let counts = ["000", "001", "002", "003", "004"].map(of);
     assert!(counts.iter().all(|count| *count >= 10), "{counts:?}");
     assert_eq!(counts.iter().sum::<usize>(), rows.len(), "a row of another seed");
+    let off_page = rows.iter().filter(|row| !row.targets.iter().any(|target| target.starts_with("page ")));
+    let off_page: Vec<&str> = off_page.map(|row| row.says).collect();
+    assert_eq!(off_page, Vec::<&str>::new(), "on no page of the manual");
     let open = rows.iter().filter(|row| row.targets.iter().any(|target| target.starts_with("open ")));
     for row in open {
         println!("open: {}, {}: {}", row.seed, row.says, row.targets.join("; "));
@@ -114,8 +129,8 @@ fn a_target_that_is_gone_is_found() {
         "program s000-o0002",
         "rule thread-angle",
         "test tests/seed_statements.rs::a_target_that_is_gone_is_found",
-        "page www/docs/setup.md",
-        "manual when to take G90",
+        "page g90",
+        "page g90#step-by-step",
     ] {
         assert_eq!(target(there), 0, "{there}");
     }
@@ -125,7 +140,10 @@ fn a_target_that_is_gone_is_found() {
         "test tests/seed_statements.rs::a_target",
         "test tests/seed_statements.rs::rows",
         "test tests/no_such_file.rs::name",
-        "page www/docs/none.md",
+        "page none",
+        "page g90#none",
+        "page www/docs/setup.md",
+        "manual when to take G90",
         "open",
         "elsewhere",
     ] {
