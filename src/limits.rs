@@ -109,6 +109,9 @@ pub const BYTES_PER_STEP: usize = 64;
 /// The number of motions, from the first of a program, from which tools and blank are inferred.
 pub const INFERRED_FROM: usize = 100_000;
 
+/// Maximum points of the outline of a blank.
+pub const OUTLINE_POINTS: usize = 200;
+
 /// Maximum words, and comments, of one block; a control accepts far fewer.
 pub const WORDS_PER_BLOCK: usize = 64;
 

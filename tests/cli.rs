@@ -334,6 +334,40 @@ fn bytes_of_any_kind_are_read() {
     }
 }
 
+/// All corners of a part in rows of [z, x], rounded to a hundredth of a millimetre and sorted.
+fn corners(output: &Output) -> Vec<[i64; 2]> {
+    fn collect(value: &Value, all: &mut Vec<[i64; 2]>) {
+        match value {
+            Value::Array(pair) if pair.len() == 2 && pair.iter().all(Value::is_number) => {
+                all.push([0, 1].map(|at| (100.0 * pair[at].as_f64().expect("a number")).round() as i64));
+            }
+            Value::Array(list) => list.iter().for_each(|value| collect(value, all)),
+            Value::Object(map) => map.values().for_each(|value| collect(value, all)),
+            _ => {}
+        }
+    }
+    let mut all = Vec::new();
+    rows(output).iter().for_each(|row| collect(row, &mut all));
+    all.sort_unstable();
+    all
+}
+
+/// A pin of ⌀20 to Z-20 and ⌀30 to Z-40: the part of one program, written as DXF, is the blank of the next one.
+#[test]
+fn a_drawing_is_the_blank_of_the_next_program() {
+    let first = b"(STOCK D=30 LENGTH=40)\nT0101 M3 S800\nG0 X20 Z1\nG1 Z-20 F0.2\nX31\nG0 Z50\nM30";
+    let drawing = String::from_utf8(run(&["export", "dxf", "-"], first).stdout).expect("UTF-8");
+    let drawing = file("blank.dxf", &drawing);
+    let pin = [[-4000, 0], [-4000, 3000], [-2000, 2000], [-2000, 3000], [0, 0], [0, 2000]];
+    assert_eq!(corners(&run(&["part", "-"], first)), pin);
+    let next = run(&["part", "-", "--setup", drawing.to_str().unwrap()], b"T0101 M3 S800\nG0 X60 Z5\nM30");
+    assert_eq!(corners(&next), pin, "{}", String::from_utf8_lossy(&next.stderr));
+    let empty = file("empty.dxf", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n");
+    let refused = run(&["check", "-", "--setup", empty.to_str().unwrap()], b"M30");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("no lines or arcs above the spindle axis"));
+}
+
 #[test]
 fn export_writes_files_for_other_programs() {
     let program = b"O0007 (PIN)\n(STOCK D=30 LENGTH=40)\nG0 X31 Z0 T0101 M3 S800\nG1 X-1 F0.2\nG0 X20 Z1\nG1 Z-20\nX31\nM30";

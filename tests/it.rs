@@ -49,6 +49,7 @@ mod manual_pages;
 mod manuals;
 mod messages;
 mod mutations;
+mod outline;
 mod packaging;
 #[path = "parts/main.rs"]
 mod parts;

@@ -21,7 +21,7 @@ use gcode_playground::message::{Diagnostic, Fix, Severity};
 use gcode_playground::motion::{Motion, MotionKind, Motions, Process};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::sentences::Language;
-use gcode_playground::setup::Setup;
+use gcode_playground::setup::{Blank, Setup};
 use text::Words;
 
 /// Required share of faults of a class whose first message is at the fault, per cent.
@@ -108,7 +108,8 @@ impl Correct {
         let mut setup = Setup::from_json(setup).expect(&id);
         let first = run(&text, &setup);
         // Users who check for collisions give the blank. Here the inferred blank is given.
-        setup.stock = setup.stock.or(InferredSetup::of(&first.analysis.motions).stock);
+        let inferred = || InferredSetup::of(&first.analysis.motions).stock.map(Blank::from);
+        setup.stock = setup.stock.or_else(inferred);
         let mut ran = run(&text, &setup);
         ran.analysis.check_at_machine();
         let told = ran.analysis.diagnostics.iter().filter(|told| told.severity > Severity::Info);

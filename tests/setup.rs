@@ -4,14 +4,17 @@ use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::message::{Levels, RULES, Severity};
 use gcode_playground::setup::as_comments::{changes, lines};
+use gcode_playground::setup::blank::Outline;
 use gcode_playground::setup::dialect::{
     Control, DecimalChoice, DialectChoice, FeedMode, GSystem, NegativeArcR, PqUnit,
 };
 use gcode_playground::setup::draft::put_into_json;
 use gcode_playground::setup::fields::{self, Entry, Field, Unit};
-use gcode_playground::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
+use gcode_playground::setup::notes::{
+    DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, STOCK_WORDS, TOOL_WORDS,
+};
 use gcode_playground::setup::{
-    Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
+    Blank, Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
 };
 use gcode_playground::units::{self, Diameter};
 use proptest::prelude::*;
@@ -107,9 +110,23 @@ prop_compose! {
     }
 }
 
+/// A bar or tube, or an outline.
+fn blank() -> impl Strategy<Value = Blank> {
+    let bar = (diameter(), diameter(), length(), length(), maybe());
+    let bar = bar.prop_map(|(diameter, bore, face, length, grip)| {
+        Blank::from(Stock { diameter, bore, face, length, grip })
+    });
+    let points = proptest::collection::vec((diameter(), length()), 1..12);
+    let outlined = (points, maybe()).prop_map(|(points, grip)| {
+        let points = points.into_iter().map(|(x, z)| Position { x, z }).collect();
+        Blank::with_outline(Outline::new(points), grip)
+    });
+    prop_oneof![bar, outlined]
+}
+
 prop_compose! {
     fn setup()(
-        stock in proptest::option::of((diameter(), diameter(), length(), length(), maybe())),
+        stock in proptest::option::of(blank()),
         tailstock in proptest::option::of((length(), diameter())),
         start in proptest::option::of((diameter(), length())),
         machine in machine(),
@@ -118,7 +135,7 @@ prop_compose! {
         tools in proptest::collection::btree_map("T[0-9]{4}", tool(), 0..4),
     ) -> Setup {
         Setup {
-            stock: stock.map(|(diameter, bore, face, length, grip)| Stock { diameter, bore, face, length, grip }),
+            stock,
             tailstock: tailstock.map(|(z, diameter)| Tailstock { z, diameter }),
             initial: start.map(|(x, z)| Position { x, z }),
             machine,
@@ -196,6 +213,7 @@ fn bad_setups_are_told_by_name() {
         &["\"diameter\"", "expected f64", "line 2"],
     );
     refused(r#"{"stock": {"diameter": 60}}"#, &["missing field `length`"]);
+    refused(r#"{"stock": {"length": 80}}"#, &["missing field `diameter`"]);
     refused(r#"{"tools": {"X1": {"tip": 3}}}"#, &["tools.X1", "T0101"]);
     refused(r#"{"initial": {"x": 1e300, "z": 0}}"#, &["`initial.x`", "5000"]);
     refused("garbage", &["expected value"]);
@@ -206,6 +224,33 @@ fn bad_setups_are_told_by_name() {
     refused(r#"{"rules": {"no-program-end": "loud"}}"#, &["\"no-program-end\"", "`loud`", "warning"]);
     refused(r#"{"rules": {"no-program-end": 1}}"#, &["\"no-program-end\"", "expected a string"]);
     refused(r#"{"rules": ["no-program-end"]}"#, &["an object of rules"]);
+}
+
+#[test]
+fn bad_outlines_are_told_by_point() {
+    let outline = |points: &str, words: &[&str]| {
+        refused(&format!(r#"{{"stock": {{"outline": [{points}]}}}}"#), words);
+    };
+    outline("[30, 2]", &["2 to 200 points; it has 1"]);
+    outline("", &["`outline` needs points"]);
+    let many: Vec<String> = (0..201).map(|index| format!("[30, -{index}]")).collect();
+    outline(&many.join(", "), &["2 to 200 points; it has 201"]);
+    outline("[30, 2], [-30, -60]", &["Point 2", "X-30", "negative"]);
+    outline("[30, 2], [30, -6000]", &["Point 2", "-6000", "5000"]);
+    outline("[8000, 2], [30, -60]", &["Point 1", "8000", "5000"]);
+    // On the axis, straight across, and a line there and back.
+    outline("[0, 2], [0, -60]", &["no area"]);
+    outline("[0, 2], [30, 2]", &["no area"]);
+    outline("[10, 0], [30, -60], [10, 0]", &["no area"]);
+    // The line from the third point crosses the first line.
+    outline("[20, 0], [40, -40], [40, 0], [20, -40]", &["crosses itself", "point 3"]);
+    // The line to the axis touches the first point.
+    outline("[20, 0], [20, -40], [30, -40], [30, 0]", &["crosses itself", "point 4"]);
+    // The third line runs back along the second.
+    outline("[20, 0], [20, -40], [20, -20], [30, -60]", &["crosses itself", "point 2"]);
+    refused(r#"{"stock": {"outline": [[30, 2], [50, -60]], "diameter": 60}}"#, &["`outline` replaces"]);
+    refused(r#"{"stock": {"outline": [[30, 2, 5], [50, -60]]}}"#, &["a point of `outline` is [x, z]"]);
+    refused(r#"{"stock": {"outline": [[30, 2], [50, -60]], "grip": 70}}"#, &["`stock.grip`", "less than 62"]);
 }
 
 /// The beginning of each row of the table in the reference.
@@ -235,6 +280,7 @@ fn the_reference_lists_every_field_of_a_setup() {
     let found: Vec<&str> = table.expect("a table").lines().filter(|line| line.starts_with("| `")).collect();
     let wanted = [
         rows("stock.", "STOCK", fields::STOCK),
+        vec![format!("| `stock.{}` | `STOCK X= Z=` | points |", fields::OUTLINE)],
         rows("tools.T0101.", "TOOL T0101", fields::TOOL),
         rows("initial.", "START", fields::START),
         rows("tailstock.", "TAILSTOCK", fields::TAILSTOCK),
@@ -268,6 +314,9 @@ fn messages_offer_every_word() {
     let machine: Vec<_> = fields::MACHINE.iter().map(|field| field.word).collect();
     assert_eq!(missing(&tool, TOOL_WORDS), [""; 0]);
     assert_eq!(missing(&machine, MACHINE_WORDS), [""; 0]);
+    let stock: Vec<_> = fields::STOCK.iter().map(|field| field.word).chain(["X", "Z"]).collect();
+    assert_eq!(missing(&stock, STOCK_WORDS[0]), [""; 0]);
+    assert_eq!(missing(&["X", "Z", "GRIP"], STOCK_WORDS[1]), [""; 0]);
     let switches: Vec<_> = fields::DIALECT.iter().map(|field| field.word).collect();
     assert_eq!(missing(&switches, DIALECT_WORDS), [""; 0]);
     let groups: Vec<_> = fields::RULES.iter().map(|field| field.word).collect();

@@ -20,11 +20,14 @@ use crate::playback::timing::ASSUMED_RAPID;
 use crate::sentences::{Language, labels};
 use crate::setup::as_comments::{self, Change};
 use crate::setup::dialect::{DecimalChoice, DecimalRule, Dialect, DialectChoice, GSystem};
-use crate::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
+use crate::setup::draft::{self, Draft, Entry as Entered, NO_STOCK, NO_TAILSTOCK};
 use crate::setup::fields::{self, Entry, Field, Value};
 use crate::setup::notes::{Notes, tool_name};
-use crate::setup::{Machine, Setup, Tool, ToolKind};
+use crate::setup::{Blank, Machine, Setup, Stock, Tool, ToolKind};
 use crate::units::{Diameter, Unit};
+
+/// Key of the outline of the blank.
+const OUTLINE_KEY: &str = "stock.outline";
 
 /// Which of stock and tools are given, and which are inferred.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -219,8 +222,7 @@ impl FormInput<'_> {
     /// The initial state of the form.
     pub fn form(&self) -> SetupForm {
         let given = self.given;
-        let mut groups =
-            vec![self.group("stock", "stock.", fields::STOCK, given.stock.as_ref(), given.stock.is_some())];
+        let mut groups = vec![self.stock()];
         let mut names: Vec<&String> = self.inferred.tools.keys().collect();
         // A given tool replaces an inferred one of the same station.
         names.retain(|name| given.tools.keys().all(|own| own.get(..3) != name.get(..3)));
@@ -247,6 +249,26 @@ impl FormInput<'_> {
         let word = word.trim();
         let digits = word.strip_prefix(['T', 't']).unwrap_or(word);
         tool_name(&format!("T{digits}")).map(|name| self.tool(&name))
+    }
+
+    /// The sizes of a bar or tube, and the points of an outline, which replaces the sizes.
+    fn stock(&self) -> SetupGroup {
+        let blank = self.given.stock.as_ref();
+        let outline = blank.and_then(Blank::outline);
+        let sizes = blank.map(Blank::extents).map(|stock| match outline {
+            Some(_) => Stock { grip: stock.grip, ..NO_STOCK },
+            None => stock,
+        });
+        let mut group = self.group("stock", "stock.", fields::STOCK, sizes.as_ref(), blank.is_some());
+        group.fields.push(SetupField {
+            key: OUTLINE_KEY.into(),
+            label: labels::field(fields::Name::Outline, self.language).into(),
+            unit: labels::unit(fields::Unit::Millimetre, self.language).into(),
+            entry: "text",
+            choices: Vec::new(),
+            value: outline.map(ToString::to_string).unwrap_or_default(),
+        });
+        group
     }
 
     fn tool(&self, name: &str) -> SetupGroup {
@@ -346,7 +368,7 @@ impl FormInput<'_> {
         let mut tools = page.tools.clone();
         tools.retain(|name, _| written.tools.contains_key(name));
         Setup {
-            stock: written.stock.and(page.stock),
+            stock: written.stock.as_ref().and(page.stock.clone()),
             tailstock: written.tailstock.and(page.tailstock),
             initial: written.initial.and(page.initial),
             machine,
@@ -363,6 +385,7 @@ impl FormInput<'_> {
         let language = self.language;
         let stock = draft::stock_base(self.given, self.inferred);
         put(&mut all, "stock.", fields::STOCK, &stock, language);
+        all.insert(OUTLINE_KEY.into(), None);
         put(&mut all, "initial.", fields::START, &draft::start_base(), language);
         put(&mut all, "tailstock.", fields::TAILSTOCK, &NO_TAILSTOCK, language);
         let rapid = Some(ASSUMED_RAPID);

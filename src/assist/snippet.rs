@@ -96,7 +96,7 @@ impl Snippet {
     /// The text of the snippet; `used`: the highest sequence number of the text.
     pub fn pieces(self, asked: &Query, state: &State, used: u32) -> Vec<Piece> {
         let reading = Reading { unit: state.unit, decimal: asked.dialect.decimal };
-        let stock = asked.setup.stock.as_ref();
+        let stock = asked.setup.extents();
         let (blank, face) = (stock.map(|stock| stock.diameter.mm()), stock.map_or(0.0, |stock| stock.face));
         let (here, from) = (Diameter::from_radius(state.position.x).mm(), state.position.z);
         // If the tool is already near the work, the cut begins at its position.

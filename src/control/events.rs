@@ -23,7 +23,7 @@ use crate::geometry::Point;
 use crate::message::Diagnostic;
 use crate::motion::Motion;
 use crate::setup::dialect::{Dialect, FeedMode};
-use crate::setup::{Setup, Stock};
+use crate::setup::{Blank, Setup, Stock};
 use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
@@ -50,12 +50,17 @@ impl EventContext<'_> {
         Reading { unit: self.state.unit, decimal: self.dialect.decimal }
     }
 
-    /// The blank in the coordinates in force; `None` if it is not given, or if its position in them is
-    /// unknown.
+    /// The extents of the blank in the coordinates in force; `None` if it is not given, or if its position in
+    /// them is unknown.
     pub fn stock(&self) -> Option<Stock> {
         let frames = &self.state.frames;
-        let stock = self.setup.stock.filter(|_| !frames.has_unknown_workpiece_position())?;
+        let stock = self.setup.extents().filter(|_| !frames.has_unknown_workpiece_position())?;
         Some(stock.moved(frames.on_workpiece().opposite()))
+    }
+
+    /// The blank in the coordinates in force, if it is a bar or a tube: its diameter is the same all along.
+    pub fn bar(&self) -> Option<Stock> {
+        self.stock().filter(|_| self.setup.stock.as_ref().is_some_and(Blank::is_bar))
     }
 
     /// The motions with a known position on the workpiece, in the coordinates in force.

@@ -16,7 +16,7 @@ use crate::playback::timing::{ASSUMED_RAPID, Total};
 use crate::playback::totals::{ToolTotals, totals};
 use crate::sentences::{Language, describe_motion, labels};
 use crate::setup::dialect::{CodeList, FeedMode};
-use crate::setup::{Setup, Stock, tool_word};
+use crate::setup::{Blank, Setup, tool_word};
 use crate::source::{Span, is_unprintable};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
@@ -127,10 +127,10 @@ impl Card<'_> {
     fn metadata(&self, page: &mut Page, resolved: &ResolvedSetup, language: Language) {
         let w = words(language);
         let mut metadata = vec![(w.control, self.codes.name().to_owned())];
-        if let Some((stock, basis)) = resolved.stock() {
+        if let Some((stock, basis)) = resolved.blank() {
             let measures = Measures { unit: self.unit, language };
-            metadata.push((w.blank, blank(&stock, basis, measures)));
-            if let Some(grip) = stock.grip {
+            metadata.push((w.blank, blank(stock, basis, measures)));
+            if let Some(grip) = stock.extents().grip {
                 metadata.push((w.clamped, measures.length(grip)));
             }
         }
@@ -510,8 +510,9 @@ impl Measures {
     }
 }
 
-fn blank(stock: &Stock, basis: Basis, measures: Measures) -> String {
+fn blank(blank: &Blank, basis: Basis, measures: Measures) -> String {
     let w = words(measures.language);
+    let stock = blank.extents();
     let diameter = measures.bare(stock.diameter.mm());
     let mut text = ["Ø", &diameter, ", ", w.length, " ", &measures.length(stock.length)].concat();
     if stock.bore.mm() > 0.0 {
@@ -519,6 +520,9 @@ fn blank(stock: &Stock, basis: Basis, measures: Measures) -> String {
     }
     if stock.face != 0.0 {
         let _ = write!(text, ", {}{}", w.face, measures.bare(stock.face));
+    }
+    if blank.outline().is_some() {
+        let _ = write!(text, ", {}", w.outline);
     }
     if basis == Basis::Inferred {
         let _ = write!(text, " ({})", w.inferred);

@@ -42,7 +42,7 @@ pub fn of_speeds(run: &mut Run) -> Option<(SpeedChart, Vec<Annotation>)> {
             curves.push(Curve { spindle, process, block });
         }
     }
-    let blank = run.setup_at_machine().stock.map(|stock| stock.diameter.mm());
+    let blank = run.setup_at_machine().extents().map(|stock| stock.diameter.mm());
     let diameter = blank.map_or(LARGEST, |blank| BEYOND * blank);
     let chart = SpeedChart::of(&curves, diameter)?;
     let mut annotations = Vec::new();

@@ -215,7 +215,7 @@ pub fn roughing(call: &ContourCall<Roughing>, at: &EventContext, reports: &mut V
     let turning = call.how.direction == Direction::Turning;
     let both = call.first.x && call.first.z;
     let code = call.how.direction.code();
-    for message in remarks(code, turning, call.contour, both, at.stock()) {
+    for message in remarks(code, turning, call.contour, both, at.bar()) {
         let place =
             if message.is::<said::ContourNotClosed>() { call.last_span } else { Some(call.first_span) };
         reports.push(Diagnostic::new(message, place.unwrap_or_else(|| call.block.words_span())));
@@ -244,7 +244,7 @@ pub fn pattern(call: &ContourCall<Pattern>, at: &EventContext, reports: &mut Vec
         reports.push(allowance_sign(call.words, address, at));
     }
     let turned = |stock| turned_before(call.contour, stock, at.motions());
-    let diagnostic = pattern_remarks(call.contour, call.how.relief.x, at.stock(), turned);
+    let diagnostic = pattern_remarks(call.contour, call.how.relief.x, at.bar(), turned);
     reports.extend(diagnostic.map(|message| Diagnostic::new(message, call.block.words_span())));
 }
 

@@ -178,7 +178,7 @@ impl Rotary {
         if let Some((word, c)) = words.peek(b'C').and_then(|word| Some((word, reading.length(word)?.abs()))) {
             let x = words.peek(b'X').and_then(|word| reading.radius(word)).unwrap_or(at.state.position.z);
             let like_degrees = c >= 90.0 && c % 90.0 == 0.0 && x.abs() < c / 2.0;
-            let outside = at.setup.stock.is_some_and(|stock| c > stock.diameter.mm());
+            let outside = at.setup.extents().is_some_and(|stock| c > stock.diameter.mm());
             if (like_degrees || outside) && self.angle.mark_reported() {
                 let message = said::PolarAngle { word: quote(at.text, word.span) };
                 reports.push(Diagnostic::new(message, word.span));

@@ -179,8 +179,8 @@ impl SingleCycles {
         }
         let surface = before
             .map(|before| before.end.x + before.taper)
-            .or(at.stock().map(|stock| start.x.min(stock.diameter.radius())));
-        let face = at.stock().map(|stock| stock.face);
+            .or(at.bar().map(|bar| start.x.min(bar.diameter.radius())));
+        let face = at.bar().map(|bar| bar.face);
         if let Some(depth) = edge_depth(cycle, &own, surface, face, before.is_none()) {
             let depth = (10.0 * depth).round() / 10.0;
             reports.push(Diagnostic::new(said::TaperEdge { depth }, block.words_span()));
@@ -213,7 +213,7 @@ impl SingleCycles {
                 reports.push(Diagnostic::new(message, words.span(address)));
             }
         } else if before.is_none()
-            && let Some(message) = at.stock().as_ref().and_then(|stock| far_start(cycle, &own, stock))
+            && let Some(message) = at.bar().as_ref().and_then(|bar| far_start(cycle, &own, bar))
         {
             reports.push(Diagnostic::new(message, block.words_span()));
         }

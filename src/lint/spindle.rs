@@ -411,7 +411,7 @@ fn above_machine(value: f64, word: &Word, at: &EventContext) -> Option<Diagnosti
 
 /// Fastest usual spindle speed of this setup, rpm.
 fn max_usual_speed(at: &EventContext) -> f64 {
-    let is_small = at.setup.stock.is_none_or(|stock| stock.diameter.mm() <= MAX_SMALL_BAR);
+    let is_small = at.setup.extents().is_none_or(|stock| stock.diameter.mm() <= MAX_SMALL_BAR);
     match at.setup.machine.max_speed {
         Some(own) => own.max(MAX_SPEED),
         None if is_small => MAX_SPEED_SMALL_BAR,

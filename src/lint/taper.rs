@@ -46,7 +46,7 @@ pub fn not_extended(
     span: Span,
     at: &EventContext,
 ) -> Option<Diagnostic> {
-    let (message, reading) = taper_not_extended(cycle, start, end, taper, at.stock()?)?;
+    let (message, reading) = taper_not_extended(cycle, start, end, taper, at.bar()?)?;
     let needed = message.needed;
     let diagnostic = Diagnostic::new(message, span);
     if reading == Reading::OrForStartPoint {
@@ -142,7 +142,7 @@ pub fn shape(
     at: &EventContext,
 ) -> Option<Diagnostic> {
     let (word, span) = (words.quote(at.text, address), words.span(address));
-    let message = odd_shape(cycle, start, end, taper, &word, at.stock())?;
+    let message = odd_shape(cycle, start, end, taper, &word, at.bar())?;
     let fix = message.is::<said::TaperNarrows>().then(|| Fix::write(span, with_other_sign(&word)));
     Some(Diagnostic { fixes: fix.into_iter().collect(), ..Diagnostic::new(message, span) })
 }

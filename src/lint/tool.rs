@@ -4,7 +4,7 @@ use crate::control::events::EventContext;
 use crate::control::words::quote;
 use crate::geometry::Point;
 use crate::message::{Diagnostic, said};
-use crate::setup::Stock;
+use crate::setup::{Blank, Stock};
 use crate::text::block::Word;
 use crate::units::Diameter;
 
@@ -33,12 +33,21 @@ impl ToolChanges {
         };
         // Without a move since then, the tool is still at its home position.
         let is_home = self.sent_home_from == Some(on_workpiece(at));
-        let is_near = at.contour.is_none() && !is_home && at.stock().as_ref().is_some_and(near);
+        let is_near = at.contour.is_none()
+            && !is_home
+            && at.stock().as_ref().is_some_and(near)
+            && at.setup.stock.as_ref().is_some_and(|blank| is_beside(blank, on_workpiece(at)));
         let tool = || quote(at.text, word.span);
         let message =
             || said::ToolChangeNear { tool: tool(), x: Diameter::from_radius(tip.x).mm(), z: tip.z };
         is_near.then(|| Diagnostic::new(message(), word.span))
     }
+}
+
+/// Whether a tip near the extents of the blank is near the blank: in front of a shoulder it is thinner.
+fn is_beside(blank: &Blank, tip: Point) -> bool {
+    let radius = || blank.greatest_radius(tip.z - NEAR_WORK, f64::INFINITY);
+    blank.is_bar() || radius().is_some_and(|radius| tip.x.abs() < radius + NEAR_WORK)
 }
 
 /// Position of the tip on the workpiece.

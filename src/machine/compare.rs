@@ -11,7 +11,7 @@ use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
 use crate::motion::Motions;
 use crate::order;
-use crate::setup::{Setup, Stock};
+use crate::setup::{Blank, Setup, Stock};
 use crate::units::Diameter;
 
 /// Parts that differ by less than this, mm, are the same.
@@ -111,17 +111,18 @@ impl Comparison {
 /// The finished parts of two programs. An inferred blank is replaced by the given blank of the other program;
 /// two inferred ones by their common part. Otherwise the comparison would show differences of the inference.
 pub fn parts(programs: [(&Motions, &Setup); 2]) -> [Option<Region>; 2] {
-    let blanks = programs.map(|(motions, setup)| ResolvedSetup::new(motions, setup).stock());
-    let [first, second] = blanks;
-    let chosen = match (first, second) {
-        (Some((a, Basis::Given)), Some((b, Basis::Given))) => [Some(a), Some(b)],
-        (Some((given, Basis::Given)), _) | (_, Some((given, Basis::Given))) => [Some(given); 2],
-        (Some((a, _)), Some((b, _))) => [Some(in_both(a, b)); 2],
-        (a, b) => [a.or(b).map(|(stock, _)| stock); 2],
+    let resolved = programs.map(|(motions, setup)| ResolvedSetup::new(motions, setup));
+    let both = |blank: Blank| [Some(blank.clone()), Some(blank)];
+    let chosen = match [resolved[0].blank(), resolved[1].blank()] {
+        [Some((a, Basis::Given)), Some((b, Basis::Given))] => [Some(a.clone()), Some(b.clone())],
+        [Some((given, Basis::Given)), _] | [_, Some((given, Basis::Given))] => both(given.clone()),
+        [Some((a, _)), Some((b, _))] => both(in_both(a.extents(), b.extents()).into()),
+        [Some((only, _)), None] | [None, Some((only, _))] => both(only.clone()),
+        [None, None] => [None, None],
     };
-    [0, 1].map(|index| {
-        let (motions, setup) = programs[index];
-        let setup = Setup { stock: chosen[index], ..setup.clone() };
+    let [first, second] = chosen;
+    [(programs[0], first), (programs[1], second)].map(|((motions, setup), stock)| {
+        let setup = Setup { stock, ..setup.clone() };
         SimulationResult::of(motions, &setup).finished()
     })
 }

@@ -15,7 +15,7 @@ use super::tip_place::{Route, TipPlace};
 use super::tool::{Action, Solid};
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions, Quill, Step};
-use crate::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
+use crate::setup::{Blank, Setup, Stock, Tailstock, ToolKind, Travel};
 use crate::units::Diameter;
 
 /// Length of the jaws across the axis, and of the chuck body, mm.
@@ -113,14 +113,15 @@ fn plunges(infeed: &Motion, part: &mut Part) -> bool {
 impl DangerDetector {
     /// A detector for a program with these tools and this stock.
     pub fn new(resolved: &ResolvedSetup, motions: &Motions, setup: &Setup) -> Self {
-        let given = |stock: (Stock, Basis)| (stock.1 == Basis::Given).then_some(stock.0);
-        let stock = resolved.stock().and_then(given);
+        let blank = resolved.blank().filter(|blank| blank.1 == Basis::Given).map(|blank| blank.0);
+        let stock = blank.map(Blank::extents);
+        let outside = blank.map_or(0.0, Blank::clamped_radius);
         let quill = quill_at_start(motions);
         let comes = motions.is_empty() || motions.quills().any(|said| is_forward(said, quill));
         Self {
-            jaws: stock.and_then(|stock| jaws(&stock)),
-            clamped: stock.and_then(|stock| clamped(&stock)),
-            chuck: stock.and_then(|stock| chuck(&stock)),
+            jaws: stock.and_then(|stock| jaws(&stock, outside)),
+            clamped: stock.and_then(|stock| clamped(&stock, outside)),
+            chuck: stock.and_then(|stock| chuck(&stock, outside)),
             tailstock: setup.tailstock.filter(|_| comes).map(|tailstock| center(&tailstock)),
             quill,
             stock,
@@ -532,10 +533,10 @@ fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
     differs.then(|| [from, Point::new(from.x + both * dx.signum(), from.z + both * dz.signum()), to])
 }
 
-/// The jaws around the end of the blank, with the chuck body.
-fn jaws(stock: &Stock) -> Option<Region> {
+/// The jaws around the end of the blank, which has the radius `outside` there, with the chuck body.
+fn jaws(stock: &Stock, outside: f64) -> Option<Region> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
-    let (outside, back) = (stock.diameter.radius(), stock.back());
+    let back = stock.back();
     let corners = [
         (outside, back),
         (outside, back + grip),
@@ -548,21 +549,21 @@ fn jaws(stock: &Stock) -> Option<Region> {
 }
 
 /// The jaws, with the end of the bar and the chuck body.
-fn clamped(stock: &Stock) -> Option<Region> {
+fn clamped(stock: &Stock, outside: f64) -> Option<Region> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
-    Some(block(stock, stock.bore.radius(), stock.back() - JAW, stock.back() + grip))
+    Some(block((stock.bore.radius(), outside + JAW), (stock.back() - JAW, stock.back() + grip)))
 }
 
 /// The jaws and the chuck body.
-fn chuck(stock: &Stock) -> Option<[Region; 2]> {
+fn chuck(stock: &Stock, outside: f64) -> Option<[Region; 2]> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
-    let (outside, back) = (stock.diameter.radius(), stock.back());
-    Some([block(stock, outside, back, back + grip), block(stock, stock.bore.radius(), back - JAW, back)])
+    let (back, outer) = (stock.back(), outside + JAW);
+    let body = block((stock.bore.radius(), outer), (back - JAW, back));
+    Some([block((outside, outer), (back, back + grip)), body])
 }
 
-/// The region from a radius to the outside of the chuck, between two places along Z.
-fn block(stock: &Stock, inner: f64, from: f64, to: f64) -> Region {
-    let outer = stock.diameter.radius() + JAW;
+/// The region between two radii and between two places along Z.
+fn block((inner, outer): (f64, f64), (from, to): (f64, f64)) -> Region {
     let corners = [(inner, from), (inner, to), (outer, to), (outer, from)];
     Region::inside(&corners.map(|(x, z)| Point::new(x, z)))
 }

@@ -36,7 +36,7 @@ use super::tool_use::{Clamping, Purpose, ToolUse};
 use crate::geometry::SAME;
 use crate::limits::INFERRED_FROM;
 use crate::motion::Motions;
-use crate::setup::{DescribedStock, Setup, Stock, Tool, ToolKind, tool_word};
+use crate::setup::{Blank, DescribedStock, Setup, Stock, Tool, ToolKind, tool_word};
 
 /// The tools and the blank inferred from a program.
 #[derive(Clone, Debug, Default)]
@@ -56,7 +56,7 @@ impl InferredSetup {
     }
 
     /// Infers tools and blank. `described_tools` are the tools that comments describe, by station;
-    /// `described_stock` is the blank that comments describe; `stock` is the given blank, if any.
+    /// `described_stock` is the blank that comments describe; `stock` is the given blank or its extents, if any.
     pub fn with(
         motions: &Motions,
         described_tools: &BTreeMap<u16, Tool>,
@@ -110,8 +110,9 @@ impl InferredSetup {
 /// The inferred blank and tools as a setup. A tool has the name of its first T word; `T0000` is the tool of
 /// cuts before any T word.
 pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
-    let inferred = InferredSetup::with(motions, &given.described_tools, given.described_stock, given.stock);
-    let mut setup = Setup { stock: inferred.stock, ..Setup::default() };
+    let (tools, stock) = (&given.described_tools, given.described_stock);
+    let inferred = InferredSetup::with(motions, tools, stock, given.extents());
+    let mut setup = Setup { stock: inferred.stock.map(Blank::from), ..Setup::default() };
     let (mut names, mut stations): (Vec<(u16, u16)>, BTreeSet<u16>) = Default::default();
     for motion in motions.iter().take(INFERRED_FROM).filter(|motion| motion.kind.cuts()) {
         let name = motion.process.tool;

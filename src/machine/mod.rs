@@ -99,7 +99,7 @@ impl Simulation {
     /// Starts the simulation with known tools and blank.
     fn of_resolved(resolved: ResolvedSetup, motions: &Motions, setup: &Setup) -> Self {
         let limits = setup.limits;
-        let part = resolved.stock().map(|(stock, _)| Part::new(&stock));
+        let part = resolved.blank().map(|(blank, _)| Part::new(blank));
         let detector = DangerDetector::new(&resolved, motions, setup);
         let watch = RemovalWatch::new(&resolved, motions);
         let limit =

@@ -13,7 +13,7 @@ use super::tool::Action;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, SAME, within};
 use crate::motion::{Motion, MotionKind, Motions};
-use crate::setup::Stock;
+use crate::setup::Blank;
 
 /// Most turns of a thread that are cut one by one; a finer thread is cut as a whole.
 const MAX_TURNS: f64 = 2000.0;
@@ -95,10 +95,8 @@ impl Turned {
 
 impl Part {
     /// The blank, before the first motion.
-    pub fn new(stock: &Stock) -> Self {
-        let (low, high) = (stock.bore.radius(), stock.diameter.radius());
-        let corners = [(low, stock.back()), (low, stock.face), (high, stock.face), (high, stock.back())];
-        let blank = Region::inside(&corners.map(|(x, z)| Point::new(x, z)));
+    pub fn new(blank: &Blank) -> Self {
+        let blank = Region::inside(&blank.corners());
         Self { now: blank.clone(), blank, stride: STRIDE, ..Self::default() }
     }
 

@@ -12,7 +12,7 @@ use super::tool::{Action, DRILL, Shape, over_edge};
 use super::tool_use::Purpose;
 use crate::geometry::{Point, SAME};
 use crate::motion::{CycleFamily, Motion, Motions};
-use crate::setup::{DescribedNose, Setup, Side, Stock, Tool, ToolKind};
+use crate::setup::{Blank, DescribedNose, Setup, Side, Stock, Tool, ToolKind};
 use crate::units::Diameter;
 
 /// The origin of a tool or a blank.
@@ -58,7 +58,7 @@ pub struct ResolvedSetup {
     inferred: Vec<(u16, Purpose, ResolvedTool)>,
     /// The tool if no other is known, in a program without cuts.
     other: ResolvedTool,
-    stock: Option<(Stock, Basis)>,
+    blank: Option<(Blank, Basis)>,
     /// The first motion of each tool that is neither given nor can be inferred.
     unknown: Vec<usize>,
 }
@@ -67,7 +67,7 @@ impl ResolvedSetup {
     /// The tools and the blank of a program that has run.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
         let inferred =
-            InferredSetup::with(motions, &setup.described_tools, setup.described_stock, setup.stock);
+            InferredSetup::with(motions, &setup.described_tools, setup.described_stock, setup.extents());
         let leads = leads(motions);
         let for_pitch = |station: u16, tool: &Tool| for_pitch(tool, leads.get(&station).copied());
         let shaped = setup.tools.iter().filter(|(_, tool)| !tool.has_only_offsets());
@@ -99,7 +99,7 @@ impl ResolvedSetup {
             }
             (station, purpose, tool)
         });
-        let stock = setup.stock.map(|stock| (stock, Basis::Given));
+        let blank = setup.stock.clone().map(|blank| (blank, Basis::Given));
         if given.iter().any(|(.., tool)| tool.is_drill()) {
             let stations = live_drills(motions);
             for (station, _, tool) in &mut given {
@@ -113,7 +113,7 @@ impl ResolvedSetup {
             given,
             inferred: inferred_tools.collect(),
             other: ResolvedTool::inferred(0, Tool::default()),
-            stock: stock.or_else(|| inferred.stock.map(|stock| (stock, Basis::Inferred))),
+            blank: blank.or_else(|| inferred.stock.map(|stock| (stock.into(), Basis::Inferred))),
         }
     }
 
@@ -146,12 +146,17 @@ impl ResolvedSetup {
     /// Whether there is a part to show: a blank, and, if there are cuts, a tool that removes material.
     pub fn shows_part(&self) -> bool {
         let all_unknown = || self.tools().all(|tool| tool.basis == Basis::Unknown);
-        self.stock.is_some() && (self.unknown.is_empty() || !all_unknown())
+        self.blank.is_some() && (self.unknown.is_empty() || !all_unknown())
     }
 
     /// The blank, and whether it is given or inferred.
+    pub fn blank(&self) -> Option<(&Blank, Basis)> {
+        self.blank.as_ref().map(|(blank, basis)| (blank, *basis))
+    }
+
+    /// The extents of the blank, and whether it is given or inferred.
     pub fn stock(&self) -> Option<(Stock, Basis)> {
-        self.stock
+        self.blank().map(|(blank, basis)| (blank.extents(), basis))
     }
 
     /// Whether one of its tools is a live drill.

@@ -5,7 +5,7 @@ use crate::machine::SimulationResult;
 use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, Quill, SpindleSpeed, SpindleTurn};
 use crate::playback::clock::Playhead;
 use crate::scene::work::Work;
-use crate::setup::{Setup, Stock};
+use crate::setup::{Blank, Setup, Stock};
 use crate::source::Span;
 use crate::units::Diameter;
 
@@ -108,7 +108,7 @@ const STOCK: Stock =
 fn check_bounds(path: Path, stock: Option<Stock>, (low, high): ((f64, f64), (f64, f64))) {
     let motions = path.motions();
     let path_index = PathIndex::of(&motions);
-    let setup = Setup { stock, ..Setup::default() };
+    let setup = Setup { stock: stock.map(Blank::from), ..Setup::default() };
     let work = stock.and_then(|_| Work::of(&SimulationResult::of(&motions, &setup), &motions, None));
     let bounds = Scene::new(&motions, &path_index, work.as_ref()).bounds();
     let expected = Bounds::around(point(low.0, low.1), point(high.0, high.1));

@@ -4,8 +4,10 @@
 //! enough to fit beside it.
 
 use super::language::Language;
+use crate::limits::OUTLINE_POINTS;
 use crate::message::{Kind, Severity};
 use crate::setup::ToolKind;
+use crate::setup::blank::{Outline, OutlineFault};
 use crate::setup::dialect::{DecimalRule, FeedMode, GSystem};
 use crate::setup::draft::EntryError;
 use crate::setup::fields::{Name, ReadError, Unit};
@@ -101,6 +103,7 @@ pub fn field(name: Name, language: Language) -> &'static str {
         Name::Length => ["Length", "长度", "Длина"],
         Name::Face => ["Z of the front face", "前端面 Z", "Z переднего торца"],
         Name::Grip => ["Clamping length", "夹持长度", "Длина зажима"],
+        Name::Outline => ["Outline, X0 Z2 X30 …", "轮廓 X0 Z2 X30……", "Контур, X0 Z2 X30 …"],
         Name::Kind => ["Kind", "类型", "Вид"],
         Name::Side => ["Side of the work", "加工部位", "Сторона детали"],
         Name::Insert => ["Insert (ISO)", "刀片（ISO）", "Пластина (ISO)"],
@@ -386,6 +389,54 @@ pub fn setting(field: &str, value: Option<&str>, language: Language) -> String {
     template.replace("{field}", field).replace("{value}", value.unwrap_or_default())
 }
 
+/// Describes the fault of an outline.
+fn outline_fault(fault: OutlineFault, language: Language) -> String {
+    let with = |texts: [&'static str; 3], point: usize, value: f64| {
+        let text = language.among(texts).replace("{point}", &point.to_string());
+        text.replace("{value}", &number(value))
+    };
+    match fault {
+        OutlineFault::Points(points) if points < Outline::FEWEST => {
+            with(["Needs {value} points", "至少 {value} 点", "Нужно точек: {value}"], 0, Outline::FEWEST as f64)
+        }
+        OutlineFault::Points(_) => with(
+            ["{value} points at most", "最多 {value} 点", "Точек не больше {value}"],
+            0,
+            OUTLINE_POINTS as f64,
+        ),
+        OutlineFault::NegativeX { point, x } => with(
+            [
+                "X{value} of point {point} cannot be negative",
+                "第 {point} 点的 X{value} 不能为负",
+                "X{value} точки {point} не может быть отрицательным",
+            ],
+            point,
+            x.mm(),
+        ),
+        OutlineFault::TooFar { point, value } => with(
+            [
+                "{value} of point {point} is too large",
+                "第 {point} 点的 {value} 太大",
+                "{value} у точки {point} слишком велико",
+            ],
+            point,
+            value,
+        ),
+        OutlineFault::Flat => {
+            language.among(["Encloses no area", "轮廓没有面积", "Контур не ограничивает площади"]).into()
+        }
+        OutlineFault::Crosses { point } => with(
+            [
+                "Crosses itself after point {point}",
+                "第 {point} 点之后轮廓自相交",
+                "Пересекает себя после точки {point}",
+            ],
+            point,
+            0.0,
+        ),
+    }
+}
+
 /// Describes an error in an entry.
 pub fn entry_error(error: EntryError, language: Language) -> String {
     let with = |texts: [&'static str; 3], most: f64| language.among(texts).replace("{most}", &number(most));
@@ -399,6 +450,16 @@ pub fn entry_error(error: EntryError, language: Language) -> String {
         EntryError::Unreadable(ReadError::NotKnown) => {
             language.among(["Unknown value", "无法识别", "Неизвестное значение"]).into()
         }
+        EntryError::Unreadable(ReadError::NotAnOutline) => language
+            .among([
+                "Points as X and Z: X0 Z2 X30 Z2",
+                "请用 X、Z 写点：X0 Z2 X30 Z2",
+                "Точки словами X и Z: X0 Z2 X30 Z2",
+            ])
+            .into(),
+        EntryError::OfOutline => language
+            .among(["The outline gives this size", "此尺寸由轮廓给出", "Этот размер задан контуром"])
+            .into(),
         EntryError::Missing => language.among(["Required", "必填", "Нужно указать"]).into(),
         EntryError::Unmet(Requirement::Positive) => {
             language.among(["Must be greater than zero", "必须大于零", "Должно быть больше нуля"]).into()
@@ -412,5 +473,6 @@ pub fn entry_error(error: EntryError, language: Language) -> String {
         EntryError::Unmet(Requirement::AtMost(most)) => {
             with(["{most} at most", "最大 {most}", "Не больше {most}"], most)
         }
+        EntryError::Unmet(Requirement::Outline(fault)) => outline_fault(fault, language),
     }
 }

@@ -5,7 +5,7 @@
 
 use super::fields::{self, Field};
 use super::notes::Notes;
-use super::{Setup, Stock};
+use super::{Blank, Setup, Stock};
 use crate::order;
 use crate::source::{self, Span};
 
@@ -18,10 +18,13 @@ pub struct Change {
     pub insert: String,
 }
 
+/// Most characters of a line with the points of an outline.
+const WIDEST: usize = 64;
+
 /// The notes for stock, tools, tailstock, machine, start, rules and switches of the control, one line each.
 pub fn lines(setup: &Setup) -> Vec<String> {
     let mut lines = Vec::new();
-    lines.extend(setup.stock.map(|own| stock(&own)));
+    lines.extend(setup.stock.iter().flat_map(blank));
     for (name, tool) in &setup.tools {
         lines.extend(line(&format!("TOOL {name}"), fields::TOOL, tool));
     }
@@ -37,6 +40,24 @@ pub fn lines(setup: &Setup) -> Vec<String> {
 /// The note of a stock: `(STOCK D=65 LENGTH=80)`.
 pub fn stock(stock: &Stock) -> String {
     line("STOCK", fields::STOCK, stock).unwrap_or_default()
+}
+
+/// The notes of a blank. An outline continues from line to line: `(STOCK X=0 Z=2 X=30 Z=2)`.
+fn blank(blank: &Blank) -> Vec<String> {
+    let Some(outline) = blank.outline() else { return vec![stock(&blank.extents())] };
+    let points = outline.points().iter().map(|point| format!(" X={} Z={}", point.x.mm(), point.z));
+    let grip = fields::values(fields::OUTLINED, &blank.extents())
+        .map(|(field, value)| format!(" {}={value}", field.word))
+        .collect::<Vec<_>>();
+    let mut lines: Vec<String> = Vec::new();
+    for words in points.chain(grip) {
+        match lines.last_mut().filter(|line| line.len() + words.len() < WIDEST) {
+            Some(line) => line.push_str(&words),
+            None => lines.push(format!("(STOCK{words}")),
+        }
+    }
+    lines.iter_mut().for_each(|line| line.push(')'));
+    lines
 }
 
 /// A note; `None` if all values are defaults.
@@ -156,6 +177,15 @@ mod tests {
         check("O1 [BILLET X62 Z70\nG0 X1\n", BAR, "O1\n(STOCK D=65 LENGTH=80)\nG0 X1\n");
         check("(START X=9) G0 X1\n", BAR, "(STOCK D=65 LENGTH=80)\nG0 X1\n");
         check("O1\n(STOCK D=1 LENGTH=1)\n(START X=9)\nG0\n", "{}", "O1\nG0\n");
+    }
+
+    #[test]
+    fn an_outline_is_written_in_short_lines() {
+        check(
+            "O1\n(STOCK X=1 Z=2)\n(STOCK X=3 Z=-4)\nG0 X1\n",
+            r#"{"stock": {"outline": [[0, 2], [30.5, 2], [30.5, -20], [50, -30.25], [50, -60], [40, -60.125]], "grip": 15}}"#,
+            "O1\n(STOCK X=0 Z=2 X=30.5 Z=2 X=30.5 Z=-20 X=50 Z=-30.25 X=50 Z=-60)\n(STOCK X=40 Z=-60.125 GRIP=15)\nG0 X1\n",
+        );
     }
 
     #[test]

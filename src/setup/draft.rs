@@ -6,9 +6,10 @@
 use crate::order;
 use serde_json::{Map, Value as Json};
 
+use super::blank::Outline;
 use super::fields::{self, Field, Name, ReadError, Value};
 use super::invalid::Requirement;
-use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
+use super::{Blank, Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::message::{Levels, Severity, levels};
 use crate::setup::dialect::DialectChoice;
 use crate::units::Diameter;
@@ -31,6 +32,8 @@ pub enum EntryError {
     Missing,
     /// The value is invalid.
     Unmet(Requirement),
+    /// The outline of the blank gives this size.
+    OfOutline,
 }
 
 /// The content of a form.
@@ -64,7 +67,7 @@ impl Draft {
         let mut form = FormReader { entries, errors: Vec::new() };
         let rules = single_rules(entries, given.rules.clone().without_groups());
         let mut setup = Setup {
-            stock: form.group("stock.", fields::STOCK, stock_base(given, inferred)),
+            stock: form.blank(stock_base(given, inferred)),
             tailstock: form.group("tailstock.", fields::TAILSTOCK, NO_TAILSTOCK),
             machine: form.group("machine.", fields::MACHINE, Machine::default()).unwrap_or_default(),
             initial: form.group("initial.", fields::START, start_base()),
@@ -107,8 +110,10 @@ fn single_rules(entries: &[Entry], mut levels: Levels) -> Levels {
 
 /// The values assumed for the empty fields of a blank.
 pub fn stock_base(given: &Setup, inferred: &Setup) -> Stock {
-    let inferred = inferred.stock.unwrap_or(NO_STOCK);
-    match given.stock {
+    let inferred = inferred.extents().unwrap_or(NO_STOCK);
+    match &given.stock {
+        // The sizes of the outline.
+        Some(blank) if blank.outline().is_some() => Stock { grip: None, ..blank.extents() },
         Some(_) => Stock { bore: Diameter::default(), face: 0.0, ..inferred },
         None => inferred,
     }
@@ -155,6 +160,28 @@ impl<'a> FormReader<'a> {
             }
         }
         whole.then_some(own)
+    }
+
+    /// The blank: a bar or tube, or an outline, which leaves only the clamping length to enter.
+    fn blank(&mut self, base: Stock) -> Option<Blank> {
+        const PREFIX: &str = "stock.";
+        let outline = self.entered(PREFIX).find(|(key, _)| *key == fields::OUTLINE).map(|found| found.1);
+        let Some(text) = outline else {
+            return self.group(PREFIX, fields::STOCK, base).map(Blank::from);
+        };
+        let replaced: Vec<_> = self.entered(PREFIX).map(|(key, _)| key).collect();
+        for field in fields::STOCK.iter().filter(|field| field.name != Name::Grip) {
+            if replaced.contains(&field.key) {
+                self.errors.push((format!("{PREFIX}{}", field.key), EntryError::OfOutline));
+            }
+        }
+        let grip = self.group(PREFIX, fields::OUTLINED, NO_STOCK).and_then(|stock| stock.grip);
+        let outline = Outline::read(text);
+        if outline.is_none() {
+            let error = EntryError::Unreadable(ReadError::NotAnOutline);
+            self.errors.push((format!("{PREFIX}{}", fields::OUTLINE), error));
+        }
+        outline.map(|outline| Blank::with_outline(outline, grip))
     }
 
     /// The names of the tools that have entries.
@@ -220,7 +247,7 @@ pub fn put_into_json(json: &str, setup: &Setup) -> String {
         }
     };
     put("dialect", dialect);
-    put("stock", setup.stock.map_or_else(Map::new, |stock| object(fields::STOCK, &stock)));
+    put("stock", setup.stock.as_ref().map_or_else(Map::new, blank));
     let tools =
         setup.tools.iter().map(|(name, tool)| (name.clone(), Json::Object(object(fields::TOOL, tool))));
     put("tools", order::gathered(tools));
@@ -232,16 +259,28 @@ pub fn put_into_json(json: &str, setup: &Setup) -> String {
     if all.is_empty() { String::new() } else { Json::Object(all).to_string() }
 }
 
+/// A blank as a JSON object.
+fn blank(blank: &Blank) -> Map<String, Json> {
+    let Some(outline) = blank.outline() else { return object(fields::STOCK, &blank.extents()) };
+    let points = outline.points().iter().map(|point| [point.x.mm(), point.z].map(number));
+    let points = points.map(|point| Json::Array(point.into())).collect();
+    let mut object = object(fields::OUTLINED, &blank.extents());
+    object.insert(fields::OUTLINE.into(), Json::Array(points));
+    object
+}
+
+/// A number in JSON. A whole number is written without a fraction: `tip` accepts nothing else.
+fn number(number: f64) -> Json {
+    let is_whole = number.fract() == 0.0 && number.abs() < 1e15;
+    if is_whole { Json::from(number as i64) } else { Json::from(number) }
+}
+
 /// A group as a JSON object. The first part of a key such as `travel.xMin` names a nested object.
 fn object<T>(fields: &[Field<T>], own: &T) -> Map<String, Json> {
     let mut object = Map::new();
     for (field, value) in fields::values(fields, own) {
         let value = match value {
-            // A whole number is written without a fraction: `tip` accepts nothing else.
-            Value::Number(number) if number.fract() == 0.0 && number.abs() < 1e15 => {
-                Json::from(number as i64)
-            }
-            Value::Number(number) => Json::from(number),
+            Value::Number(value) => number(value),
             Value::Text(text) => Json::from(text),
             Value::Switch(is_on) => Json::from(is_on),
         };
@@ -263,6 +302,7 @@ fn object<T>(fields: &[Field<T>], own: &T) -> Map<String, Json> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::setup::blank::OutlineFault;
 
     fn entries(list: &[(&str, &str)]) -> Vec<Entry> {
         list.iter().map(|(key, text)| Entry { key: (*key).into(), text: (*text).into() }).collect()
@@ -307,6 +347,53 @@ mod tests {
             r#"{"initial":{"x":150,"z":200},"machine":{"travel":{"xMin":-5},"turret":"front"}}"#,
             &[],
         );
+    }
+
+    #[test]
+    fn an_outline_is_entered_as_points() {
+        check(
+            &[("stock.outline", "X0 Z2 x30Z2 X=30,5 Z−20 Z-60"), ("stock.grip", "15"), ("stock.diameter", " ")],
+            "{}",
+            r#"{"stock":{"grip":15,"outline":[[0,2],[30,2],[30.5,-20],[30.5,-60]]}}"#,
+            &[],
+        );
+        // Without the outline the inferred blank is assumed, as without any entry.
+        check(&[("stock.outline", ""), ("stock.grip", " ")], "{}", "", &[]);
+        for text in ["round", "30 2 50 -60", "Z2 X50", "X30 Z2 X50", "X30 X40 Z2", "X Z", "="] {
+            let error = EntryError::Unreadable(ReadError::NotAnOutline);
+            check(&[("stock.outline", text)], "{}", "", &[("stock.outline", error)]);
+        }
+        check(
+            &[("stock.diameter", "60"), ("stock.outline", "X30 Z2 X50 Z-60")],
+            "{}",
+            "",
+            &[("stock.diameter", EntryError::OfOutline)],
+        );
+        check(
+            &[("stock.outline", "X30 Z2 X-50 Z-60")],
+            "{}",
+            "",
+            &[(
+                "stock.outline",
+                EntryError::Unmet(Requirement::Outline(OutlineFault::NegativeX {
+                    point: 2,
+                    x: Diameter::new(-50.0),
+                })),
+            )],
+        );
+    }
+
+    /// Without its outline the blank is the bar around it.
+    #[test]
+    fn an_outline_can_be_replaced_by_a_bar() {
+        let given = r#"{"stock": {"outline": [[30, 2], [50, -60]], "grip": 15}}"#;
+        let given = Setup::from_json(given).expect("a setup");
+        let base = stock_base(&given, &Setup::default());
+        assert_eq!((base.diameter.mm(), base.face, base.length, base.grip), (50.0, 2.0, 62.0, None));
+        let draft = Draft::read(&entries(&[("stock.grip", "15")]), &given, &Setup::default());
+        assert_eq!(draft.errors, []);
+        let json = r#"{"stock":{"diameter":50,"face":2,"grip":15,"length":62}}"#;
+        assert_eq!(put_into_json("{}", &draft.setup), json);
     }
 
     #[test]

@@ -62,6 +62,7 @@ pub enum Name {
     Length,
     Face,
     Grip,
+    Outline,
     Kind,
     Side,
     Insert,
@@ -120,6 +121,8 @@ pub enum ReadError {
     NotWhole,
     /// Not one of the accepted words.
     NotKnown,
+    /// Not the points of an outline.
+    NotAnOutline,
 }
 
 /// A field of a `T`.
@@ -280,15 +283,23 @@ const RADIUSED: &[ToolKind] =
     &[ToolKind::Turning, ToolKind::Boring, ToolKind::Grooving, ToolKind::Threading, ToolKind::Endmill];
 const POINTED: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring, ToolKind::Grooving, ToolKind::Threading];
 
-/// The blank: `(STOCK D=65 LENGTH=80)`.
+const GRIP: Field<Stock> = field(Name::Grip, "grip", "GRIP", MM, measure!(grip));
+
+/// A bar or a tube: `(STOCK D=65 LENGTH=80)`.
 pub const STOCK: &[Field<Stock>] = &[
     // Always written: a missing size is 0 and reported as invalid.
     field(Name::StockDiameter, "diameter", "D", MM, always!(diameter unless f64::INFINITY)),
     field(Name::Bore, "bore", "BORE", MM, always!(bore unless 0.0)),
     field(Name::Length, "length", "LENGTH", MM, always!(length unless f64::INFINITY)),
     field(Name::Face, "face", "FACE", MM, always!(face unless 0.0)),
-    field(Name::Grip, "grip", "GRIP", MM, measure!(grip)),
+    GRIP,
 ];
+
+/// The other fields of a blank with an outline, whose sizes follow from its points.
+pub const OUTLINED: &[Field<Stock>] = &[GRIP];
+
+/// Key of the outline in a stock. It has no field, because its value is a list.
+pub const OUTLINE: &str = "outline";
 
 /// A tool: `(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)`.
 pub const TOOL: &[Field<Tool>] = &[

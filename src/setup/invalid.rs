@@ -3,8 +3,10 @@
 //! In: a setup as it was read. Out: the invalid values, and the setup without them, so that every setup can
 //! be run and drawn.
 
+use super::blank::{Outline, OutlineFault};
 use super::tool::LARGEST_WEAR;
-use super::{Machine, Setup, Stock, Tool};
+use super::{Blank, Machine, Setup, Tool};
+use crate::limits::OUTLINE_POINTS;
 use crate::message::{Message, said};
 use crate::parts::early;
 use crate::units::Diameter;
@@ -14,7 +16,7 @@ use crate::units::Diameter;
 pub struct InvalidValue {
     /// Key as in JSON: `stock.diameter`, `tools.T0101.width`.
     pub key: String,
-    /// The value.
+    /// The value; of an outline, the number of its points.
     pub value: f64,
     /// The requirement that it does not meet.
     pub requirement: Requirement,
@@ -29,7 +31,23 @@ impl InvalidValue {
             Requirement::NotNegative => said::SetupNotNegative { key, value }.into(),
             Requirement::Below(most) => said::SetupBelow { key, value, most }.into(),
             Requirement::AtMost(most) => said::SetupAtMost { key, value, most }.into(),
+            Requirement::Outline(fault) => outline_message(fault),
         }
+    }
+}
+
+/// The message about the fault of an outline.
+fn outline_message(fault: OutlineFault) -> Message {
+    match fault {
+        OutlineFault::Points(points) => {
+            said::OutlinePoints { points, least: Outline::FEWEST, most: OUTLINE_POINTS }.into()
+        }
+        OutlineFault::NegativeX { point, x } => said::OutlineNegative { point, x: x.mm() }.into(),
+        OutlineFault::TooFar { point, value } => {
+            said::OutlineFar { point, value, most: Outline::FARTHEST }.into()
+        }
+        OutlineFault::Flat => said::OutlineFlat.into(),
+        OutlineFault::Crosses { point } => said::OutlineCrosses { point }.into(),
     }
 }
 
@@ -44,6 +62,8 @@ pub enum Requirement {
     Below(f64),
     /// Not more than this.
     AtMost(f64),
+    /// An outline without this fault.
+    Outline(OutlineFault),
 }
 
 /// Greatest length, mm.
@@ -56,6 +76,7 @@ impl Requirement {
             Self::NotNegative => value >= 0.0,
             Self::Below(most) => value < most,
             Self::AtMost(most) => value <= most,
+            Self::Outline(_) => false,
         }
     }
 }
@@ -74,7 +95,14 @@ impl Checker {
         }
     }
 
-    fn stock(&mut self, stock: &Stock) {
+    fn stock(&mut self, blank: &Blank) {
+        let outline = blank.outline();
+        if let Some((outline, fault)) = outline.and_then(|outline| Some((outline, outline.fault()?))) {
+            let (key, value) = ("stock.outline".into(), outline.points().len() as f64);
+            self.invalid.push(InvalidValue { key, value, requirement: Requirement::Outline(fault) });
+            return;
+        }
+        let stock = blank.extents();
         const SIZE: [Requirement; 2] = [Requirement::Positive, Requirement::AtMost(LONGEST)];
         self.at("stock.diameter", Some(stock.diameter.mm()), &SIZE);
         self.at("stock.length", Some(stock.length), &SIZE);
@@ -143,8 +171,8 @@ early! {
     fn checked(setup: Setup) -> (Setup, Vec<InvalidValue>) {
         let mut setup = setup;
         let mut checker = Checker::default();
-        if let Some(stock) = setup.stock {
-            checker.stock(&stock);
+        if let Some(blank) = &setup.stock {
+            checker.stock(blank);
             if !checker.invalid.is_empty() {
                 setup.stock = None;
             }

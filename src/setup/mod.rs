@@ -4,6 +4,7 @@
 //! [`Setup`]. Lengths are in the notation of users: X values are diameters, mm.
 
 pub mod as_comments;
+pub mod blank;
 pub mod dialect;
 pub mod draft;
 pub mod fields;
@@ -27,6 +28,7 @@ use crate::limits::Limits;
 use crate::message::Levels;
 use crate::parts::early;
 use crate::units::Diameter;
+pub use blank::Blank;
 use dialect::DialectChoice;
 pub use machine::{Machine, Tailstock, Travel, Turret};
 pub use nose_comment::DescribedNose;
@@ -56,7 +58,7 @@ pub struct Setup {
     #[serde(skip)]
     pub described_stock: DescribedStock,
     /// The blank.
-    pub stock: Option<Stock>,
+    pub stock: Option<Blank>,
     /// The centre of the tailstock, if it supports the workpiece.
     pub tailstock: Option<Tailstock>,
     /// The machine.
@@ -114,7 +116,7 @@ impl Clone for Setup {
             described_tools: BTreeMap::new(),
             described_noses: self.described_noses.clone(),
             described_stock: self.described_stock,
-            stock: self.stock,
+            stock: self.stock.clone(),
             tailstock: self.tailstock,
             machine: self.machine,
             block_skip: self.block_skip.clone(),
@@ -142,6 +144,11 @@ impl Setup {
     /// The tool of a station and an offset number.
     pub fn tool(&self, called: (u16, u16)) -> Option<&Tool> {
         self.tools.get(&tool_word(called))
+    }
+
+    /// The given bar or tube, or that around the outline of the given blank.
+    pub fn extents(&self) -> Option<Stock> {
+        self.stock.as_ref().map(Blank::extents)
     }
 
     /// The nose of a tool that a comment describes.

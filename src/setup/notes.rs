@@ -2,6 +2,8 @@
 //!
 //! ```text
 //! (STOCK D=65 BORE=18 LENGTH=80 FACE=1 GRIP=30)
+//! (STOCK X=0 Z=2 X=30 Z=2 X=30 Z=-20)
+//! (STOCK X=50 Z=-30 X=50 Z=-60 GRIP=15)
 //! (TOOL T0101 TYPE=TURNING INSERT=CNMG120408 KR=95)
 //! (TOOL T0303 TYPE=GROOVING WIDTH=3 REACH=12)
 //! (TAILSTOCK Z=2 D=20)
@@ -18,11 +20,12 @@
 
 use std::borrow::Cow;
 
-use super::fields::{self, Field, Name};
+use super::blank::PointReader;
+use super::fields::{self, Entry, Field, Name, Unit, Value};
 use super::first_unit;
 use super::invalid::InvalidValue;
 use super::nose_comment::{self, DescribedNose};
-use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
+use super::{Blank, Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::message::levels::{self, known};
 use crate::message::{Diagnostic, Fix, Levels, Severity, said};
 use crate::parts::{Part, early};
@@ -37,7 +40,7 @@ pub const HEAD: usize = 1 << 16;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Notes {
     /// The blank.
-    pub stock: Option<Stock>,
+    pub stock: Option<Blank>,
     /// Tools by their T word in four digits.
     pub tools: Vec<(String, Tool)>,
     /// The tailstock.
@@ -74,6 +77,13 @@ struct Word<'a> {
     key: String,
     value: &'a str,
     span: Span,
+}
+
+impl Word<'_> {
+    /// Whether it is a coordinate of a point of an outline.
+    fn is_of_point(&self) -> bool {
+        matches!(&*self.key, "X" | "Z")
+    }
 }
 
 /// The first word of a note. The last keyword is in brackets, the others are in parentheses.
@@ -114,6 +124,9 @@ impl Keyword {
         }
     }
 }
+
+/// The words of a stock note: of a bar or tube, and of an outline.
+pub const STOCK_WORDS: [&str; 2] = ["D=, BORE=, LENGTH=, FACE=, GRIP=; X=, Z=, GRIP=", "X=, Z=, GRIP="];
 
 /// The words of a tool note.
 pub const TOOL_WORDS: &str = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL), SIDE=OUTSIDE (INSIDE, FACE), INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=, CUTTER=, OFFSETX=, OFFSETZ=, OFFSETR=, WEARX=, WEARZ=, WEARR=";
@@ -167,7 +180,8 @@ impl Notes {
         if Self::may_contain_notes(text) { match_text(self, text) } else { *self == Self::default() }
     }
 
-    fn note(&mut self, keyword: Keyword, inside: &str, start: usize) {
+    /// Reads a note that begins at byte `start` of a text.
+    fn note(&mut self, keyword: Keyword, inside: &str, start: usize, text: &[u8]) {
         let words = words(inside, start);
         let Some((_, rest)) = words.split_first() else { return };
         if keyword == Keyword::Billet {
@@ -180,15 +194,15 @@ impl Notes {
         match keyword {
             Keyword::Billet => {}
             Keyword::Stock => {
-                let mut stock = Stock {
-                    diameter: Diameter::default(),
-                    bore: Diameter::default(),
-                    face: 0.0,
-                    length: 0.0,
-                    grip: None,
+                let before = self.stock.take().filter(|_| self.continues_stock(start, text));
+                let before = before.filter(|before| before.outline().is_some());
+                let has_grip_alone = || rest.iter().all(|word| word.key == "GRIP");
+                let blank = if rest.iter().any(Word::is_of_point) || before.is_some() && has_grip_alone() {
+                    self.outlined(rest, before)
+                } else {
+                    self.bar(rest).into()
                 };
-                self.fill(rest, fields::STOCK, &mut stock, "D=, BORE=, LENGTH=, FACE=, GRIP=");
-                self.stock = Some(stock);
+                self.stock = Some(blank);
                 self.add_place("stock.", whole);
             }
             Keyword::Tool => self.tool(rest, whole),
@@ -221,6 +235,78 @@ impl Notes {
                 self.add_place("rules.", whole);
             }
         }
+    }
+
+    fn bar(&mut self, words: &[Word]) -> Stock {
+        let mut stock = Stock {
+            diameter: Diameter::default(),
+            bore: Diameter::default(),
+            face: 0.0,
+            length: 0.0,
+            grip: None,
+        };
+        self.fill(words, fields::STOCK, &mut stock, STOCK_WORDS[0]);
+        stock
+    }
+
+    /// Whether a note follows a stock note, with nothing but sequence numbers between them.
+    fn continues_stock(&self, start: usize, text: &[u8]) -> bool {
+        let between = |byte: &u8| {
+            byte.is_ascii_whitespace()
+                || byte.is_ascii_digit()
+                || matches!(byte, b'(' | b')' | b';' | b'N' | b'n')
+        };
+        let last = self.places.last().filter(|place| place.0 == "stock.");
+        last.is_some_and(|(_, span)| text[span.end as usize..start].iter().all(between))
+    }
+
+    /// A blank with an outline. If `before` has an outline, the points continue it.
+    fn outlined(&mut self, words: &[Word], before: Option<Blank>) -> Blank {
+        let mut grip = before.as_ref().and_then(|before| before.extents().grip);
+        let outline = before.as_ref().and_then(Blank::outline);
+        let mut reader = outline.map_or_else(PointReader::default, PointReader::after);
+        let mut last: Option<&Word> = None;
+        let mut is_whole = true;
+        for word in words {
+            let value = match Entry::Number(Unit::Millimetre).read(word.value) {
+                Ok(Value::Number(value)) => Some(value),
+                _ => None,
+            };
+            let is_read = match (&*word.key, value) {
+                ("GRIP", Some(value)) => {
+                    grip = Some(value);
+                    true
+                }
+                ("X", Some(value)) => reader.add('X', value).is_ok(),
+                ("Z", Some(value)) => reader.add('Z', value).is_ok(),
+                _ => false,
+            };
+            if !is_read {
+                self.refuse_of_outline(word);
+                is_whole = false;
+            }
+            if word.is_of_point() {
+                last = Some(word);
+            }
+            // Later points would be consequences.
+            if !is_whole && word.is_of_point() {
+                break;
+            }
+        }
+        let read = reader.end();
+        // An X without its Z.
+        if let (Err(_), true, Some(word)) = (&read, is_whole, last) {
+            self.refuse_of_outline(word);
+        }
+        Blank::with_outline(read.unwrap_or_default(), grip)
+    }
+
+    fn refuse_of_outline(&mut self, word: &Word) {
+        self.unreadable.push(UnreadableWord {
+            span: word.span,
+            expected: STOCK_WORDS[1].into(),
+            nearest: nearest(&word.key, std::iter::once("GRIP")),
+        });
     }
 
     fn tool(&mut self, words: &[Word], whole: Span) {
@@ -275,7 +361,7 @@ impl Notes {
         if let (Some(diameter), Some(length)) = (number(['X', 'x']), number(['Z', 'z'])) {
             self.add_place("stock.", Span::new(start, start + inside.len()));
             let (diameter, bore) = (Diameter::new(diameter), Diameter::default());
-            self.stock = Some(Stock { diameter, bore, face: 0.0, length, grip: None });
+            self.stock = Some(Stock { diameter, bore, face: 0.0, length, grip: None }.into());
         }
     }
 
@@ -308,7 +394,7 @@ early! {
         for comment in comments(text) {
             let Ok(inside) = std::str::from_utf8(comment.inside) else { continue };
             if let Some(keyword) = comment.keyword() {
-                notes.note(keyword, inside, comment.start);
+                notes.note(keyword, inside, comment.start, text);
             } else if nose_comment::may_describe(comment.inside) {
                 let head = || first_unit::unit_of(&text[..text.len().min(HEAD)]);
                 notes.noses.extend(nose_comment::read(inside, *unit.get_or_insert_with(head)));
@@ -325,7 +411,7 @@ early! {
         let mut tools = setup.tools;
         tools.extend(notes.tools.iter().cloned());
         Setup {
-            stock: notes.stock.or(setup.stock),
+            stock: notes.stock.clone().or(setup.stock),
             tailstock: notes.tailstock.or(setup.tailstock),
             machine: notes.machine.unwrap_or(setup.machine),
             initial: notes.start.or(setup.initial),
@@ -350,12 +436,12 @@ early! {
             Diagnostic { fixes: fix.into_iter().collect(), ..told }
         });
         let values = invalid.into_iter().filter_map(|fault| {
-            let place = notes.places.iter().rfind(|place| fault.key.starts_with(&place.0));
-            let span = place.map_or(Span::new(0, 0), |place| place.1);
+            let places = || notes.places.iter().filter(|place| fault.key.starts_with(&place.0));
+            let span = places().next_back().map_or(Span::new(0, 0), |place| place.1);
             // One mistake, one message: an invalid value that results from an unreadable word is not
             // reported.
-            let is_consequence =
-                notes.unreadable.iter().any(|fault| place.is_some() && span.contains(fault.span));
+            let is_unreadable = |span: Span| notes.unreadable.iter().any(|fault| span.contains(fault.span));
+            let is_consequence = places().any(|place| is_unreadable(place.1));
             (!is_consequence).then(|| Diagnostic::new(fault.message(), span))
         });
         words.chain(values).collect()
@@ -481,7 +567,7 @@ mod tests {
         );
         assert_eq!(notes.unreadable, []);
         assert_eq!(
-            notes.stock,
+            notes.stock.map(|blank| blank.extents()),
             Some(Stock {
                 diameter: Diameter::new(65.0),
                 bore: Diameter::new(18.0),
@@ -562,10 +648,65 @@ mod tests {
             ("[BILLET", None),
         ] {
             assert_eq!(
-                Notes::read(text.as_bytes()).stock.map(|stock| (stock.diameter.mm(), stock.length)),
+                Notes::read(text.as_bytes())
+                    .stock
+                    .map(|blank| (blank.extents().diameter.mm(), blank.extents().length)),
                 stock,
                 "{text}"
             );
+        }
+    }
+
+    /// The points and the clamping length of an outline in notes.
+    fn outline(text: &str) -> Option<(String, Option<f64>)> {
+        let blank = Notes::read(text.as_bytes()).stock?;
+        Some((blank.outline()?.to_string(), blank.extents().grip))
+    }
+
+    #[test]
+    fn an_outline_is_read_point_by_point() {
+        let points = "X0 Z2 X30 Z2 X30 Z-20 X50 Z-30 X50 Z-60";
+        for text in [
+            "(STOCK X=0 Z=2 X=30 Z=2 X=30 Z=-20 X=50 Z=-30 X=50 Z=-60)",
+            // X keeps its value.
+            "(stock x=0 z=2 x=30 z=2 z=-20 x=50 z=-30 z=-60)",
+            "O1 (STOCK X=0 Z=2 X=30 Z=2)\nN10 (STOCK Z=-20 X=50 Z=-30)\r\n(STOCK Z=-60)\n",
+            // Another blank between them: the last outline counts.
+            "(STOCK X=9 Z=9 X=8 Z=8)\n(STOCK D=20 LENGTH=30)\n(STOCK X=0 Z=2 X=30 Z=2)(STOCK Z=-20 X=50 Z=-30 Z=-60)",
+        ] {
+            assert_eq!(outline(text), Some((points.to_owned(), None)), "{text}");
+        }
+        for text in [
+            "(STOCK GRIP=15 X=30 Z=2 X=50 Z=-60)",
+            "(STOCK X=30 Z=2 GRIP=15 X=50 Z=-60)",
+            "(STOCK X=30 Z=2)\n(STOCK X=50 Z=-60 GRIP=15)",
+            "(STOCK X=30 Z=2 X=50 Z=-60)\n(STOCK GRIP=15)",
+        ] {
+            assert_eq!(outline(text), Some(("X30 Z2 X50 Z-60".to_owned(), Some(15.0))), "{text}");
+        }
+        // Code or another note between two notes: the second one replaces the first.
+        for between in ["G0 X1", "O2", "(START X=100 Z=50)"] {
+            let text = format!("(STOCK X=1 Z=1 X=2 Z=-2)\n{between}\n(STOCK X=30 Z=2 X=50 Z=-60)");
+            assert_eq!(outline(&text), Some(("X30 Z2 X50 Z-60".to_owned(), None)), "{text}");
+        }
+        assert_eq!(outline("(STOCK X=30 Z=2 X=50 Z=-60)\n(STOCK D=60 LENGTH=80)"), None);
+    }
+
+    #[test]
+    fn a_slip_in_an_outline_is_told_once() {
+        for (text, slip) in [
+            ("(STOCK X=30 Z=2 X=50)", "X=50"),
+            ("(STOCK Z=2 X=50 Z=-60)", "Z=2"),
+            ("(STOCK X=30 X=40 Z=2 Z=-60)", "X=40"),
+            ("(STOCK X=30 Z=a X=50 Z=-60)", "Z=a"),
+            ("(STOCK X=30 Z=2 X=50 Z=-60 D=50)", "D=50"),
+            ("(STOCK X=30 Z=2 X=50 Z=-60)\n(STOCK GRIP=x)", "GRIP=x"),
+        ] {
+            let notes = Notes::read(text.as_bytes());
+            let told: Vec<_> = notes.unreadable.iter().map(|fault| fault.span.of(text.as_bytes())).collect();
+            assert_eq!(told, [slip.as_bytes()], "{text}");
+            let (_, invalid) = notes.applied_to(Setup::default()).without_invalid_values();
+            assert_eq!(notes.diagnostics(invalid, text.as_bytes()).len(), 1, "{text}");
         }
     }
 

@@ -1,26 +1,20 @@
-//! The blank.
-
-use serde::Deserialize;
+//! A bar or a tube, and the sizes that comments describe.
 
 use crate::geometry::Point;
 use crate::units::Diameter;
 
 /// A bar or a tube, and the length of it in the chuck.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stock {
     /// Outside diameter, mm.
     pub diameter: Diameter,
     /// Bore diameter, mm; 0 for a solid bar.
-    #[serde(default)]
     pub bore: Diameter,
     /// Z of the front face, mm.
-    #[serde(default)]
     pub face: f64,
     /// Length from the face towards −Z, mm.
     pub length: f64,
     /// Clamping length from the back, mm; without it there are no jaws.
-    #[serde(default)]
     pub grip: Option<f64>,
 }
 

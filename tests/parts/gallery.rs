@@ -137,7 +137,7 @@ fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
         },
         |(stock, _)| stock,
     );
-    setup.stock = Some(stock);
+    setup.stock = Some(stock.into());
     let mut given: Vec<(u16, Reach)> = Vec::new();
     for resolved_tool in resolved.tools() {
         if let Some((tool, reach)) = tool.map(|tool| tool(resolved_tool.tool.kind.expect("a kind"))) {

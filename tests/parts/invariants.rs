@@ -106,7 +106,7 @@ proptest! {
 
 fn only_what_is_passed_over_goes(program: &str) {
     let (motions, setup) = run(program);
-    let stock = setup.stock.expect("a blank");
+    let stock = setup.extents().expect("a blank");
     let threads = motions.iter().filter(|motion| motion.process.tool.0 == 3);
     let pitch = threads.filter_map(|motion| motion.lead).fold(0.0, f64::max);
     let pitch = if pitch > 0.0 { pitch } else { 3.0 };

@@ -75,7 +75,7 @@ impl Proposing<'_> {
     fn places(&self, role: Role) -> Vec<(String, Why)> {
         let Some((axis, is_way)) = axis_of(role) else { return Vec::new() };
         let reading = Reading { unit: self.state.unit, decimal: self.asked.dialect.decimal };
-        let stock = self.asked.setup.stock.as_ref();
+        let stock = self.asked.setup.extents();
         let targets: Vec<(f64, Why)> = match axis {
             Axis::X => {
                 let outside = stock.map(|stock| (stock.diameter.mm(), Why::Outside));

@@ -2,8 +2,9 @@
 //! program and its parents, and from the command-line options, which override it.
 //!
 //! In: options, a file name. Out: the settings of the file, each with its source (`shown`). `file` parses the
-//! configuration. Setups are JSON, or TOML with the same keys. Must not know: the commands.
+//! configuration. Setups are JSON, TOML with the same keys, or a DXF drawing of the blank. Must not know: the commands.
 
+mod dxf;
 mod file;
 pub(super) mod shown;
 
@@ -276,7 +277,12 @@ impl<'a> Configurations<'a> {
 fn setup_text(path: &Path) -> Result<String, String> {
     let name = shown(path);
     let text = system::read_text(path)?;
-    if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
+    let ends_in = |wanted: &str| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted));
+    if ends_in("dxf") {
+        let json = dxf::setup(&text).map_err(|problem| format!("{name}: {problem}"))?;
+        return Setup::from_json(&json).map(|_| json).map_err(|problem| format!("{name}: {problem}"));
+    }
+    if !ends_in("toml") {
         let value = serde_json::from_str::<serde_json::Value>(&text);
         if value.is_ok_and(|value| !value.is_object()) {
             return Err(format!("{name}: a setup is an object: {{\"stock\": {{…}}, \"tools\": {{…}}}}"));

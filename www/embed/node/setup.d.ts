@@ -31,17 +31,25 @@ export interface SetupPosition {
   readonly z: number;
 }
 
-/** The blank: a bar or a tube. */
+/**
+ * The blank: a bar or a tube, which needs `diameter` and `length`, or a forging or casting, whose `outline` replaces all
+ * sizes except `grip`.
+ */
 export interface SetupStock {
-  readonly diameter: number;
+  readonly diameter?: number;
   /** Diameter of the bore; 0 for a bar. */
   readonly bore?: number;
   /** Z of the front face. */
   readonly face?: number;
   /** Length from the front face towards -Z. */
-  readonly length: number;
+  readonly length?: number;
   /** Clamping length, from the back end. */
   readonly grip?: number;
+  /**
+   * Points of the half section, joined by straight lines: X, a diameter, and Z. The outline is closed along the spindle
+   * axis, unless its last point repeats the first. 2 to 200 points.
+   */
+  readonly outline?: readonly (readonly [x: number, z: number])[];
 }
 
 export interface SetupTool {
