@@ -77,6 +77,31 @@ test('unset values are shown as assumed, and can be set by keyboard', async ({ p
   });
 });
 
+test('a blank is given by its outline, and its sizes are those around it', async ({ page }) => {
+  await begin(page);
+  await openForm(page);
+  const outline = field(page, 'Stock', 'Outline, X0 Z2 X30 …');
+  await outline.fill('X44 Z1 X44 Z-15 X60');
+  await expect(form(page).getByText('Points as X and Z: X0 Z2 X30 Z2')).toBeVisible();
+  await outline.fill('X44 Z1 X44 Z-15 X60 Z-15 Z-40');
+  await field(page, 'Stock', 'Clamping length').fill('15');
+  await form(page).getByRole('button', { name: 'Apply' }).click();
+  await expect(form(page)).toBeHidden();
+  const points = [
+    [44, 1],
+    [44, -15],
+    [60, -15],
+    [60, -40],
+  ];
+  expect(JSON.parse((await attribute(page)) ?? '')).toEqual({ stock: { outline: points, grip: 15 } });
+  await expectPart(page);
+  await openForm(page);
+  await expect(outline).toHaveValue('X44 Z1 X44 Z-15 X60 Z-15 X60 Z-40');
+  await expect(field(page, 'Stock', 'Diameter')).toHaveAttribute('placeholder', '60 (assumed)');
+  await field(page, 'Stock', 'Diameter').fill('50');
+  await expect(form(page).getByText('The outline gives this size')).toBeVisible();
+});
+
 test('an assumed stock can be accepted, and collisions are checked', async ({ page }) => {
   const crash = PROGRAM.replace('G0 X100 Z100', 'G0 X42 Z-23\nG0 X100 Z100');
   await open(page);
