@@ -162,7 +162,8 @@ fn jaws_hold_the_end_of_a_forging() {
 /// G73 on a forging: the first pass is 0.7 mm deep. In a bar of its diameter it would be 28 − 17.3 = 10.7 mm deep.
 #[test]
 fn a_pattern_fits_a_forging_and_no_bar() {
-    let program = std::fs::read_to_string("tests/programs/hand-14-g73-forging/program.nc").expect("a program");
+    let program =
+        std::fs::read_to_string("tests/programs/hand-14-g73-forging/program.nc").expect("a program");
     let slugs = |stock: &str| {
         let mut analysis = analyze(program.as_bytes(), &setup(stock));
         analysis.check_at_machine();

@@ -396,9 +396,11 @@ fn outline_fault(fault: OutlineFault, language: Language) -> String {
         text.replace("{value}", &number(value))
     };
     match fault {
-        OutlineFault::Points(points) if points < Outline::FEWEST => {
-            with(["Needs {value} points", "至少 {value} 点", "Нужно точек: {value}"], 0, Outline::FEWEST as f64)
-        }
+        OutlineFault::Points(points) if points < Outline::FEWEST => with(
+            ["Needs {value} points", "至少 {value} 点", "Нужно точек: {value}"],
+            0,
+            Outline::FEWEST as f64,
+        ),
         OutlineFault::Points(_) => with(
             ["{value} points at most", "最多 {value} 点", "Точек не больше {value}"],
             0,

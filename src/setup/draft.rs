@@ -352,7 +352,11 @@ mod tests {
     #[test]
     fn an_outline_is_entered_as_points() {
         check(
-            &[("stock.outline", "X0 Z2 x30Z2 X=30,5 Z−20 Z-60"), ("stock.grip", "15"), ("stock.diameter", " ")],
+            &[
+                ("stock.outline", "X0 Z2 x30Z2 X=30,5 Z−20 Z-60"),
+                ("stock.grip", "15"),
+                ("stock.diameter", " "),
+            ],
             "{}",
             r#"{"stock":{"grip":15,"outline":[[0,2],[30,2],[30.5,-20],[30.5,-60]]}}"#,
             &[],

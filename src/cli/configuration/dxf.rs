@@ -63,7 +63,9 @@ fn entities(text: &str) -> Result<(Vec<Entity>, f64), String> {
         line += 2;
         let code: u16 = match code.parse::<i32>() {
             Ok(code) => u16::try_from(code).unwrap_or(u16::MAX),
-            Err(_) => return Err(format!("line {} is not a group code of a DXF file in text form", line - 1)),
+            Err(_) => {
+                return Err(format!("line {} is not a group code of a DXF file in text form", line - 1));
+            }
         };
         match (code, &*section) {
             (0, _) if value == "SECTION" => section.clear(),
@@ -232,7 +234,8 @@ mod tests {
 
     /// Group codes and values, separated by blanks.
     fn drawing(head: &str, entities: &str) -> String {
-        let pairs = format!("0 SECTION 2 HEADER {head} 0 ENDSEC 0 SECTION 2 ENTITIES {entities} 0 ENDSEC 0 EOF");
+        let pairs =
+            format!("0 SECTION 2 HEADER {head} 0 ENDSEC 0 SECTION 2 ENTITIES {entities} 0 ENDSEC 0 EOF");
         pairs.split_whitespace().map(|word| format!("{word}\r\n")).collect()
     }
 
@@ -242,7 +245,8 @@ mod tests {
 
     #[track_caller]
     fn check(drawing: &str, expected: &[[f64; 2]]) {
-        let found: serde_json::Value = serde_json::from_str(&setup(drawing).expect("an outline")).expect("JSON");
+        let found: serde_json::Value =
+            serde_json::from_str(&setup(drawing).expect("an outline")).expect("JSON");
         let expected = json!({"stock": {"outline": expected}});
         assert_eq!(found, expected);
     }
@@ -308,7 +312,8 @@ mod tests {
         refused(&drawing("", "0 LINE 8 0 10 x 20 1"), "not a number");
         let apart = [line("0", [0.0, 15.0, -40.0, 15.0]), line("0", [0.0, 30.0, -40.0, 30.0])];
         refused(&drawing("", &apart.concat()), "X0.000 Y30.000 is not connected");
-        let long: String = (0..900).map(|at| line("0", [f64::from(-at), 9.0, f64::from(-at - 1), 9.0])).collect();
+        let long: String =
+            (0..900).map(|at| line("0", [f64::from(-at), 9.0, f64::from(-at - 1), 9.0])).collect();
         refused(&drawing("", &long), "more than 800 lines");
     }
 }

@@ -63,8 +63,7 @@ fn where_notes_may_stand() {
             format!("([ {name} x1 z2)"),
             format!("\u{e9} ({name} Q=\u{e9})"),
         ];
-        let read: Vec<_> =
-            notes.iter().filter(|text| read(text.as_bytes()) != Notes::default()).collect();
+        let read: Vec<_> = notes.iter().filter(|text| read(text.as_bytes()) != Notes::default()).collect();
         assert_eq!(read.len(), if name.eq_ignore_ascii_case("billet") { 2 } else { 6 }, "{read:?}");
         for text in read {
             assert!(Notes::may_contain_notes(text.as_bytes()), "{text}");
