@@ -32,8 +32,8 @@ export interface SetupPosition {
 }
 
 /**
- * The blank: a bar or a tube, which needs `diameter` and `length`, or a forging or casting, whose `outline` replaces all
- * sizes except `grip`.
+ * The blank: a bar or a tube, which needs `diameter` and `length`, or a forging or casting, whose `outline` replaces
+ * all sizes except `grip`.
  */
 export interface SetupStock {
   readonly diameter?: number;
