@@ -22,8 +22,8 @@ pub(super) struct Input {
 /// Setup options of programs.
 #[derive(clap::Args, Default)]
 pub(super) struct With {
-    /// Setup: control, tools, stock, start point, as JSON or TOML, or the outline of the blank as DXF. Given more than once
-    /// (a machine, a table of tools), of each group the last one holds.
+    /// Setup: control, tools, stock, start point, as JSON or TOML, or the outline of the blank as DXF. Given more than
+    /// once (a machine, a table of tools), of each group the last one holds.
     #[arg(long)]
     pub setup: Vec<PathBuf>,
     /// The configuration, instead of the `gcode-playground.toml` that is in the folder of the program or above it.

@@ -57,7 +57,7 @@ hand-10-corners: ⌀96.0, 0 to -100.0: T01 turning C 95
 hand-11-g42-profile: ⌀55.2, 0 to -40.0: T01 unnamed tip 3
 hand-12-g92-two-starts: ⌀30.8, 0 to -40.0: T03 threading outside
 hand-13-g34-g92-short-pullout: ⌀30.6, 0 to -30.0: T03 threading outside
-hand-14-g73-forging: ⌀60.6, 0 to -60.0: T01 turning C 95
+hand-14-g73-forging: ⌀60.6, 0 to -60.0: T01 turning
 s000-o0002: ⌀130.0, 0 to -135.0: T00 turning C 95
 s001-frag-g90-cyl: ⌀55.0, 0 to -30.0: T00 turning C 95
 s001-frag-g90-i: ⌀65.0, 0 to -45.0: T00 turning C 95
