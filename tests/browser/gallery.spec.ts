@@ -1,8 +1,9 @@
-// The gallery: lazy loading, search, and examples that are compared with another one.
-import { expect, test, type Page } from './engines';
+// The gallery: lazy loading, search, chapters, sources, and examples that are compared with another one.
+import { expect, nightUnless, test, type Page } from './engines';
 import {
   choose,
   chooseExample,
+  chooseLanguage,
   editor,
   examples,
   motionCount,
@@ -17,12 +18,70 @@ import {
 } from './page';
 
 const gallery = (page: Page) => page.getByRole('dialog', { name: 'Gallery' });
+/** Above the program: the source of the example and the changes against it. */
+const source = (page: Page) => page.locator('#intro details');
+
+const CHAPTERS = {
+  en: {
+    heading: 'G32, G92: threads',
+    source: 'Source and changes',
+    origin: 'Page of a GSK 980TD manual on G90 (Chinese), Fig. 3-58.',
+    changed: 'X80 instead of X90 (line 7). X90 is printed twice',
+    added: 'M03 S600 added (line 2), N140 M30 added (line 14).',
+    unchanged: 'The program is unchanged.',
+  },
+  zh: {
+    heading: 'G32、G92：螺纹',
+    source: '出处与改动',
+    origin: 'GSK 980TD 手册中 G90 的一页，图 3-58。',
+    changed: 'X80，原文为 X90（第 7 行）。',
+    added: '补充 M03 S600（第 2 行）；补充 N140 M30（第 14 行）。',
+    unchanged: '程序与原文相同。',
+  },
+  ru: {
+    heading: 'G32, G92: нарезание резьбы',
+    source: 'Источник и изменения',
+    origin: 'Страница руководства GSK 980TD о G90 (на китайском), рис. 3-58.',
+    changed: 'X80 вместо X90 (строка 7). В ряду',
+    added: 'добавлено M03 S600 (строка 2), добавлено N140 M30 (строка 14).',
+    unchanged: 'Программа не изменена.',
+  },
+} as const;
+
+for (const language of ['en', 'zh', 'ru'] as const) {
+  const words = CHAPTERS[language];
+
+  test(
+    `chapters lead to the manual, and each example names its source and changes: ${language}`,
+    nightUnless(language === 'en'),
+    async ({ page }) => {
+      await open(page, '#s000-o0002');
+      await chooseLanguage(page, language);
+      await expect(source(page)).not.toContainText(words.origin);
+      await page.locator('#intro summary').click();
+      await expect(source(page)).toContainText(words.source);
+      await expect(source(page)).toContainText(words.origin);
+      await expect(source(page)).toContainText(words.changed);
+      await choose(page, 'program', /^(Gallery|全部示例|Все примеры)…$/);
+      const dialog = page.getByRole('dialog');
+      const threads = dialog.getByRole('heading', { name: words.heading }).getByRole('link');
+      expect(await threads.getAttribute('href')).toMatch(new RegExp(`/manual/${language}/threads\\.html$`));
+      const card = (id: string) => dialog.locator(`li[data-example="${id}"]`);
+      await expect(dialog.locator('details')).toHaveCount(examples.length);
+      await card('s003-g71').locator('summary').click();
+      await expect(card('s003-g71').locator('details')).toContainText(words.added);
+      // Opening the source does not choose the example.
+      await expect(dialog).toBeVisible();
+      await expect(card('s001-o0002').locator('details')).toContainText(words.unchanged);
+    },
+  );
+}
 
 test('an example is found by its topic, and opened', async ({ page }) => {
   await open(page);
   await choose(page, 'program', 'Gallery…');
   await expect(gallery(page).getByRole('status')).toHaveText(`${examples.length} examples`);
-  await expect(gallery(page).getByRole('heading', { name: 'Threads' })).toBeVisible();
+  await expect(gallery(page).getByRole('heading', { name: 'G32, G92: threads' })).toBeVisible();
   await test.step('each program with a cut has a picture', async () => {
     const drawn = await gallery(page)
       .getByRole('listitem')
@@ -52,7 +111,7 @@ test('the gallery opens at the current example, and no card is cut at the top', 
     await choose(page, 'program', 'Gallery…');
     await expect(gallery(page).getByRole('status')).toHaveText(`${examples.length} examples`);
     const { current, cut } = await gallery(page).evaluate((dialog: Element) => {
-      const list = dialog.querySelector('.subjects')?.getBoundingClientRect();
+      const list = dialog.querySelector('.chapters')?.getBoundingClientRect();
       if (list === undefined) throw new Error('no list');
       const cards = [...dialog.querySelectorAll('.card')].map((card) => {
         const { top, bottom } = card.getBoundingClientRect();
@@ -72,7 +131,8 @@ test('the gallery opens at the current example, and no card is cut at the top', 
 test('a URL selects an example, and changing the URL opens another one', async ({ page }) => {
   await open(page, '#s003-g71');
   await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
-  await expect(page.getByText('Added to the printed program: M03 S600, M30')).toBeVisible();
+  await page.locator('#intro summary').click();
+  await expect(source(page)).toContainText('M03 S600 added (line 2), N140 M30 added (line 14).');
   await page.evaluate(() => {
     location.hash = '#s003-g74';
   });
@@ -146,21 +206,21 @@ test('a word of a program does not break after its minus sign', async ({ page })
 
 test('the description of an example is hidden and shown by its button, which is remembered', async ({ page }) => {
   const about = page.getByRole('button', { name: 'About this program' });
-  const added = page.getByText('Added to the printed program: M03 S600, M30');
+  const shows = page.getByText(/^G71 cuts along Z, 2 mm in radius a pass/);
   await open(page, '#s003-g71');
   await expect(about).toHaveAttribute('aria-expanded', 'true');
-  await expect(added).toBeVisible();
+  await expect(shows).toBeVisible();
   await about.click();
   await expect(about).toHaveAttribute('aria-expanded', 'false');
-  await expect(added).toBeHidden();
+  await expect(shows).toBeHidden();
   await reload(page);
   await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
-  await expect(added).toBeHidden();
+  await expect(shows).toBeHidden();
   await about.click();
-  await expect(added).toBeVisible();
+  await expect(shows).toBeVisible();
   // A file has no description.
   await openFile(page, 'mine.nc', Buffer.from('G00 X40 Z2\nG01 Z-10 F0.2\n'));
   await expect(titleText(page)).toHaveText('mine.nc');
   await expect(about).toBeHidden();
-  await expect(added).toBeHidden();
+  await expect(shows).toBeHidden();
 });

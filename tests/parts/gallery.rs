@@ -25,7 +25,7 @@ fn gallery() -> Vec<Program> {
     all()
         .into_iter()
         .filter(|program| list.contains(&program.id) && !program.id.starts_with("s002"))
-        .filter(|program| program.id != "syn-g84-tap")
+        .filter(|program| !["syn-g32-tap", "syn-g84-tap"].contains(&program.id.as_str()))
         .collect()
 }
 

@@ -7,7 +7,7 @@ import type { Language } from '../dom/language';
 import { importWithRetry } from '../dom/network';
 import type { GcodePlayground } from '../shell/element';
 import { find } from './find';
-import { loadSubjects, type Example, type Subject } from './gallery';
+import { loadChapters, type Chapter, type Example } from './gallery';
 import type { GalleryDialog } from './gallery-dialog';
 import { PAGE_WORDS } from './words';
 
@@ -37,10 +37,10 @@ export class ExampleList {
   }
 
   /** Loads the list in the language of the page; the page works without it. */
-  async #load(): Promise<readonly Subject[]> {
+  async #load(): Promise<readonly Chapter[]> {
     const { language } = this.#host;
     try {
-      return await loadSubjects(language);
+      return await loadChapters(language);
     } catch {
       return [];
     }

@@ -1,4 +1,4 @@
-// The gallery: all example programs by subject, each with a small picture, and a search field.
+// The gallery: all example programs by chapter of the manual, each with a small picture, and a search field.
 //
 // In: the list in one language. Out: a call of `onChoose` with the id of an example. Loaded when it is first opened.
 // Must not know: how an example is loaded or shown.
@@ -8,8 +8,10 @@ import { make, renderUnbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
-import type { ListedExample, Subject } from './gallery';
+import { renderSource } from './example-source';
+import type { Chapter, ListedExample } from './gallery';
 import { smallDrawing } from './small-drawing';
+import { PAGE_WORDS } from './words';
 import '../dom/dialog.css';
 import './gallery.css';
 
@@ -17,14 +19,14 @@ export class GalleryDialog {
   readonly #search = make('input', { type: 'search', autocomplete: 'off', spellcheck: false });
   readonly #caption = make('span');
   readonly #found = make('p', { className: 'found', role: 'status' });
-  readonly #list = make('div', { className: 'subjects' });
+  readonly #list = make('div', { className: 'chapters' });
   readonly #dialog = new Dialog('gallery', [
     make('label', { className: 'search' }, this.#caption, this.#search),
     this.#found,
     this.#list,
   ]);
   readonly #onChoose: (id: string) => void;
-  #subjects: readonly Subject[] = [];
+  #chapters: readonly Chapter[] = [];
   #language: Language = 'en';
   #current = '';
 
@@ -38,8 +40,8 @@ export class GalleryDialog {
   }
 
   /** Opens the dialog; `current` is the id of the current example. */
-  open(subjects: readonly Subject[], language: Language, current: string): void {
-    this.#subjects = subjects;
+  open(chapters: readonly Chapter[], language: Language, current: string): void {
+    this.#chapters = chapters;
     this.#language = language;
     this.#current = current;
     const texts = WORDS[language];
@@ -53,13 +55,13 @@ export class GalleryDialog {
     this.#scrollToCurrent();
   }
 
-  /** Scrolls to the subject of the current example or, in a long subject, to its row: no card is cut at the top. */
+  /** Scrolls to the chapter of the current example or, in a long chapter, to its row: no card is cut at the top. */
   #scrollToCurrent(): void {
     const card = this.#list.querySelector('[aria-current]');
     if (card === null) return;
     const isInView = (): boolean => card.getBoundingClientRect().bottom <= this.#list.getBoundingClientRect().bottom;
     this.#list.scrollTop = 0;
-    // Room below the last subject, so that it can be scrolled to the top.
+    // Room below the last chapter, so that it can be scrolled to the top.
     const last = this.#list.querySelector<HTMLElement>('section:last-child');
     if (last !== null) last.style.minBlockSize = `${this.#list.clientHeight}px`;
     if (!isInView()) card.closest('section')?.scrollIntoView({ block: 'start' });
@@ -71,13 +73,13 @@ export class GalleryDialog {
       .toLowerCase()
       .split(/\s+/)
       .filter((term) => term !== '');
-    const matches = ({ subject, of }: { subject: string; of: ListedExample }): boolean => {
-      const text = [subject, of.title, of.shows, of.codes, of.id].join(' ').toLowerCase();
+    const matches = (chapter: string, of: ListedExample): boolean => {
+      const text = [chapter, of.title, of.shows, of.codes, of.id].join(' ').toLowerCase();
       return terms.every((term) => text.includes(term));
     };
     let count = 0;
-    const sections = this.#subjects.flatMap(({ subject, examples }) => {
-      const found = examples.filter((of) => matches({ subject, of }));
+    const sections = this.#chapters.flatMap(({ page, title, examples }) => {
+      const found = examples.filter((of) => matches(title, of));
       count += found.length;
       return found.length === 0
         ? []
@@ -85,14 +87,20 @@ export class GalleryDialog {
             make(
               'section',
               {},
-              make('h3', {}, subject),
-              make('ul', {}, ...found.map((of) => make('li', {}, this.#card(of)))),
+              make('h3', {}, manualLink(page, title, this.#language)),
+              make('ul', {}, ...found.map((of) => this.#item(of))),
             ),
           ];
     });
     const texts = WORDS[this.#language];
     this.#found.textContent = count === 0 ? texts.none : texts.count(count);
     this.#list.replaceChildren(...sections);
+  }
+
+  #item(of: ListedExample): HTMLElement {
+    const summary = make('summary', {}, PAGE_WORDS[this.#language].source);
+    const source = make('details', {}, summary, ...renderSource(of, this.#language));
+    return make('li', { 'data-example': of.id }, this.#card(of), source);
   }
 
   #card({ id, title, shows, picture }: ListedExample): HTMLElement {
@@ -109,6 +117,12 @@ export class GalleryDialog {
     });
     return card;
   }
+}
+
+/** A link to a page of the manual, which is built beside this page. */
+function manualLink(page: string, text: string, language: Language): HTMLAnchorElement {
+  const { href } = new URL(`manual/${language}/${page}.html`, document.baseURI);
+  return make('a', { className: 'link', href, target: '_blank', rel: 'noopener' }, text);
 }
 
 const WORDS = words({

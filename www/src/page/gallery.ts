@@ -1,10 +1,11 @@
 // The example programs: the first one is part of the page, the others are separate files.
 //
 // In: the id of an example, or a language. Out: the example with its setup and description; or the list of all examples
-// by subject, with small pictures. Must not know: the content of a program or setup; both are passed on unchanged.
+// by chapter, with small pictures. Must not know: the content of a program or setup; both are passed on unchanged.
 
 import type { Language } from '../dom/language';
-import about from '../../../tests/programs/s001-o0001/about.json';
+// Named, so that the script contains these fields only.
+import { labels, shows, title } from '../../../tests/programs/s001-o0001/about.json';
 import program from '../../../tests/programs/s001-o0001/program.nc?raw';
 import setup from '../../../tests/programs/s001-o0001/setup.json?raw';
 
@@ -18,12 +19,23 @@ export interface Example {
   readonly title: Translated;
   /** One sentence: what this example demonstrates. */
   readonly shows: Translated;
-  /** The words that the program in the source document does not have. */
-  readonly added?: string;
   /** The example whose part is drawn under the part of this one. */
   readonly compareWith?: string;
   /** For a first lesson: the picture names chuck, tool and start point, and shows the whole path. */
   readonly labels?: boolean;
+}
+
+/** A difference between a program and its source, in one language. */
+export interface Change {
+  readonly places: readonly {
+    /** Line of the first block, from 1. */
+    readonly line: number;
+    /** Words of one block; several blocks are separated by line feeds. */
+    readonly word: string;
+    /** What the source has instead; missing if it has nothing. */
+    readonly source?: string;
+  }[];
+  readonly why: string;
 }
 
 /** An entry of the gallery, in one language. */
@@ -33,22 +45,27 @@ export interface ListedExample {
   readonly shows: string;
   /** Its G, M and T words. */
   readonly codes: string;
+  /** The document that the program is from. */
+  readonly source: string;
+  /** Missing if the program is not from a document. */
+  readonly changed?: 'nothing' | readonly Change[];
   /** Its strokes as SVG paths; missing if nothing is cut. */
   readonly picture?: { readonly rapid: string; readonly cut: string; readonly axis?: number };
 }
 
-export interface Subject {
-  readonly subject: string;
+/** The examples of a page of the manual. */
+export interface Chapter {
+  /** The page's file in `manual/<language>`, without its ending. */
+  readonly page: string;
+  readonly title: string;
   readonly examples: readonly ListedExample[];
 }
-
-const { title, shows, labels } = about;
 
 /** The program of a page whose address names no other: the simplest one. */
 export const FIRST_EXAMPLE: Example = { id: 's001-o0001', program, setup, title, shows, labels };
 
 const examples = new Map<string, Promise<Example>>([[FIRST_EXAMPLE.id, Promise.resolve(FIRST_EXAMPLE)]]);
-const lists = new Map<Language, Promise<readonly Subject[]>>();
+const lists = new Map<Language, Promise<readonly Chapter[]>>();
 
 /** `unknown`: no example has this id. `not-loaded`: the network or the server failed. */
 export type ExampleFailure = 'unknown' | 'not-loaded';
@@ -62,8 +79,8 @@ export async function loadExample(id: string): Promise<Example | ExampleFailure>
 }
 
 /** All examples in order; rejected if they could not be loaded. */
-export function loadSubjects(language: Language): Promise<readonly Subject[]> {
-  return cached(lists, language, () => fetchJson<readonly Subject[]>(language));
+export function loadChapters(language: Language): Promise<readonly Chapter[]> {
+  return cached(lists, language, () => fetchJson<readonly Chapter[]>(language));
 }
 
 async function fetchJson<Content>(name: string): Promise<Content> {

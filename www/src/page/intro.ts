@@ -6,11 +6,11 @@
 
 import { icon, make, renderUnbroken, setAccessibleName } from '../dom/dom';
 import type { Language } from '../dom/language';
-import { whenOnline } from '../dom/network';
+import { importWithRetry, whenOnline } from '../dom/network';
 import { isMostlyIn } from '../editor/program-replacement';
 import type { GcodePlayground } from '../shell/element';
 import { find } from './find';
-import type { Example } from './gallery';
+import { loadChapters, type Example } from './gallery';
 import type { LinkedProgram } from './linked';
 import { MAX_SAVED_LENGTH, readChoices, saveChoices, type OwnProgram } from './storage';
 import { PAGE_WORDS } from './words';
@@ -96,9 +96,7 @@ export class Intro {
     this.#toggle.setAttribute('aria-expanded', String(this.#isOpen));
     this.#toggle.hidden = described === undefined;
     if (described !== undefined && this.#isOpen) {
-      lines.push(make('p', {}, ...renderUnbroken(described.shows[language])));
-      if (described.added !== undefined)
-        lines.push(make('p', { className: 'added' }, ...renderUnbroken(texts.added(described.added))));
+      lines.push(make('p', {}, ...renderUnbroken(described.shows[language])), sourceDetails(described.id, language));
     }
     if (isTooLong) lines.push(make('p', { className: 'kept' }, texts.tooLongToSave));
     lines.push(...this.#offerLines(content));
@@ -155,6 +153,28 @@ export class Intro {
         return [offerLine(texts.exampleNotLoaded, texts.tryAgain, content.retry)];
     }
   }
+}
+
+/** The source of an example, and the changes against it: loaded with the list of examples when they are first shown. */
+function sourceDetails(id: string, language: Language): HTMLElement {
+  const texts = PAGE_WORDS[language];
+  const summary = make('summary', {}, texts.source);
+  const details = make('details', { className: 'source' }, summary);
+  const load = async (): Promise<void> => {
+    try {
+      const [{ renderSource }, chapters] = await Promise.all([
+        importWithRetry(() => import('./example-source')),
+        loadChapters(language),
+      ]);
+      const listed = chapters.flatMap(({ examples }) => examples).find((example) => example.id === id);
+      details.replaceChildren(summary, ...(listed === undefined ? [] : renderSource(listed, language)));
+    } catch {
+      details.replaceChildren(summary, make('p', {}, texts.exampleNotLoaded));
+      whenOnline(() => void load());
+    }
+  };
+  details.addEventListener('toggle', () => void load(), { once: true });
+  return details;
 }
 
 function offerLine(message: string, action: string, onAccept: () => void): HTMLElement {
