@@ -158,8 +158,8 @@ export class Intro {
 /** The source of an example, and the changes against it: loaded with the list of examples when they are first shown. */
 function sourceDetails(id: string, language: Language): HTMLElement {
   const texts = PAGE_WORDS[language];
-  const summary = make('summary', {}, texts.source);
-  const details = make('details', { className: 'source' }, summary);
+  const content = make('div');
+  const details = make('details', { className: 'source' }, make('summary', {}, texts.source), content);
   const load = async (): Promise<void> => {
     try {
       const [{ renderSource }, chapters] = await Promise.all([
@@ -167,9 +167,9 @@ function sourceDetails(id: string, language: Language): HTMLElement {
         loadChapters(language),
       ]);
       const listed = chapters.flatMap(({ examples }) => examples).find((example) => example.id === id);
-      details.replaceChildren(summary, ...(listed === undefined ? [] : renderSource(listed, language)));
+      content.replaceChildren(...(listed === undefined ? [] : renderSource(listed, language)));
     } catch {
-      details.replaceChildren(summary, make('p', {}, texts.exampleNotLoaded));
+      content.replaceChildren(make('p', {}, texts.exampleNotLoaded));
       whenOnline(() => void load());
     }
   };
