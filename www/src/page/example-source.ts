@@ -1,14 +1,21 @@
 // The source of an example, and the changes of the program against it, as paragraphs.
 //
-// In: an entry of the gallery. Out: elements for the gallery and for the lines above the program. Loaded when one of
-// them needs it. Must not know: the content of a program.
+// In: an entry of the gallery, or the id of an example. Out: elements for the gallery and for the lines above the
+// program. Loaded when one of them needs it. Must not know: the content of a program.
 
 import { make, renderUnbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { Change, ListedExample } from './gallery';
+import { loadChapters, type Change, type ListedExample } from './gallery';
 
 type Content = (Node | string)[];
+
+/** Rejected if the list of examples could not be loaded. */
+export async function loadSource(id: string, language: Language): Promise<HTMLElement[]> {
+  const chapters = await loadChapters(language);
+  const listed = chapters.flatMap(({ examples }) => examples).find((example) => example.id === id);
+  return listed === undefined ? [] : renderSource(listed, language);
+}
 
 export function renderSource({ source, changed }: ListedExample, language: Language): HTMLElement[] {
   const paragraphs = [make('p', {}, ...renderUnbroken(source))];

@@ -10,7 +10,7 @@ import { importWithRetry, whenOnline } from '../dom/network';
 import { isMostlyIn } from '../editor/program-replacement';
 import type { GcodePlayground } from '../shell/element';
 import { find } from './find';
-import { loadChapters, type Example } from './gallery';
+import type { Example } from './gallery';
 import type { LinkedProgram } from './linked';
 import { MAX_SAVED_LENGTH, readChoices, saveChoices, type OwnProgram } from './storage';
 import { PAGE_WORDS } from './words';
@@ -162,12 +162,8 @@ function sourceDetails(id: string, language: Language): HTMLElement {
   const details = make('details', { className: 'source' }, make('summary', {}, texts.source), content);
   const load = async (): Promise<void> => {
     try {
-      const [{ renderSource }, chapters] = await Promise.all([
-        importWithRetry(() => import('./example-source')),
-        loadChapters(language),
-      ]);
-      const listed = chapters.flatMap(({ examples }) => examples).find((example) => example.id === id);
-      content.replaceChildren(...(listed === undefined ? [] : renderSource(listed, language)));
+      const { loadSource } = await importWithRetry(() => import('./example-source'));
+      content.replaceChildren(...(await loadSource(id, language)));
     } catch {
       content.replaceChildren(make('p', {}, texts.exampleNotLoaded));
       whenOnline(() => void load());
