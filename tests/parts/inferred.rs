@@ -89,6 +89,7 @@ s004-g94-wrong: ⌀52.0, 0 to -30.0: T00 turning C 95
 s004-g94-x50: ⌀48.0, 0 to -25.0: T00 turning C 95
 syn-four-tools: ⌀46.0, 0 to -50.0: T01 turning C 95, T02 turning D 93, T03 grooving, T04 threading
 syn-g32: ⌀30.2, 0 to -30.0: T00 threading outside
+syn-g32-tap: ⌀30.0, 0 to -30.0: T06 tap ⌀12.0
 syn-g71-id: ⌀50.0 bore 17.6, 0 to -45.0: T00 boring C 95
 syn-g76-um: ⌀29.9, 0 to -40.0: T00 threading outside
 syn-g84-tap: ⌀30.0, 0 to -35.0: T05 drill ⌀8.5, T06 tap ⌀10.0
