@@ -144,7 +144,8 @@ fn the_gallery_follows_the_manual() {
             pages.push(page);
         }
     }
-    let chapters: Vec<Value> = serde_json::from_str(&source("tests/programs/gallery.json")).expect("chapters");
+    let chapters: Vec<Value> =
+        serde_json::from_str(&source("tests/programs/gallery.json")).expect("chapters");
     let mut places = Vec::new();
     for chapter in &chapters {
         let name = chapter["chapter"].as_str().expect("a page");
@@ -152,7 +153,10 @@ fn the_gallery_follows_the_manual() {
         assert!(chapter["programs"].as_array().is_some_and(|programs| !programs.is_empty()), "{name}");
         // The heading of the group in the gallery.
         for language in LANGUAGES {
-            assert!(source(&format!("www/manual/{language}/{name}.md")).starts_with("# "), "{language}/{name}");
+            assert!(
+                source(&format!("www/manual/{language}/{name}.md")).starts_with("# "),
+                "{language}/{name}"
+            );
         }
     }
     assert!(places.is_sorted_by(|a, b| a < b), "{places:?} of {pages:?}");
@@ -187,7 +191,8 @@ fn programs_from_a_document_name_their_changes() {
             assert!(!places.is_empty(), "{id}: {change}");
             for place in places {
                 let word = place["word"].as_str().expect("a word");
-                let before = place["line"].as_u64().expect("a line").checked_sub(1).expect("lines count from 1");
+                let before =
+                    place["line"].as_u64().expect("a line").checked_sub(1).expect("lines count from 1");
                 let blocks = program.text.lines().skip(before as usize).take(word.lines().count());
                 let blocks = blocks.collect::<Vec<_>>().join("\n");
                 assert!(!word.is_empty() && blocks.contains(word), "{id}: {place} is not in {blocks:?}");
