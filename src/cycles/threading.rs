@@ -9,6 +9,17 @@ use super::{Move, sign};
 use crate::geometry::{Point, SAME};
 use crate::motion::{MotionKind, Step};
 
+/// δ2 = n·L / 1800 (seed 001): the distance in which the slide stops at the end of a thread, mm. `speed`: rpm;
+/// `lead`: mm.
+pub fn run_out(speed: f64, lead: f64) -> f64 {
+    speed * lead / 1800.0
+}
+
+/// δ1 = δ2 · (−1 − ln a): the distance in which the slide reaches the lead, mm, with an error a of 1 %.
+pub fn run_in(speed: f64, lead: f64) -> f64 {
+    3.605 * run_out(speed, lead)
+}
+
 /// How a thread leaves the workpiece before its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PullOut {

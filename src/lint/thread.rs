@@ -6,7 +6,7 @@ use crate::control::codes::M;
 use crate::control::events::{EventContext, ThreadPass, ThreadSource, ThreadingCall};
 use crate::control::words::{self, Words, plain, quote};
 use crate::cycles::single::Single;
-use crate::cycles::threading::MultiThread;
+use crate::cycles::threading::{self, MultiThread};
 use crate::geometry::{Point, SAME};
 use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
 use crate::motion::SpindleTurn;
@@ -567,13 +567,13 @@ fn is_start_of_lead(moved: f64, lead: f64) -> bool {
     (1..=MAX_STARTS).any(|starts| is_whole_lead(moved, lead / f64::from(starts)))
 }
 
-/// δ1 = 3.605 · n·L / 1800: the distance in which a slide reaches its speed.
+/// A run-in that is shorter than δ1.
 fn run_in(own: &Pass, face: Option<f64>) -> Option<Message> {
     let face = face?;
     if own.start.z <= face || own.end.z >= face {
         return None;
     }
-    let (have, need) = (own.start.z - face, 3.605 * own.speed * own.lead / 1800.0);
+    let (have, need) = (own.start.z - face, threading::run_in(own.speed, own.lead));
     (have < need).then_some(said::ThreadRunIn { have, need }.into())
 }
 

@@ -5,15 +5,13 @@
 
 use super::region::Region;
 use super::thread_depth::crest;
+use crate::cycles::threading::run_out;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Motion, SpindleSpeed};
 
 /// Least height of a shoulder above the crest of the thread, mm: less is a burr or the diameter before
 /// finishing.
 const SHOULDER: f64 = 0.5;
-
-/// δ2 = n·L / 1800 (seed 001).
-const RUN_OUT: f64 = 1800.0;
 
 /// Number of steps in which the path beyond the end is checked.
 const STEPS: u32 = 20;
@@ -47,7 +45,7 @@ impl RunOuts {
         }
         let work = work();
         let (crest, side) = crest(work, motion, lead)?;
-        let need = speed * lead / RUN_OUT;
+        let need = run_out(speed, lead);
         let is_wall = |way: f64| {
             let z = to.z + (to.z - from.z).signum() * way;
             work.contains(Point::new(crest + side * SHOULDER, z))
