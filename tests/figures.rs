@@ -3,6 +3,7 @@
 //! The expected values are worked out from the programs by hand; X is a diameter in comments and a radius in
 //! values.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use expect_test::expect_file;
@@ -10,10 +11,12 @@ use gcode_playground::export::figure::Subject;
 use gcode_playground::export::file::caption;
 use gcode_playground::figures::{self, Figure};
 use gcode_playground::geometry::Point;
+use gcode_playground::geometry::bounds::Bounds;
 use gcode_playground::machine::SimulationResult;
+use gcode_playground::motion::{Cycle, Step};
 use gcode_playground::run::Run;
 use gcode_playground::scene::Scene;
-use gcode_playground::scene::annotation::{Annotation, Shape};
+use gcode_playground::scene::annotation::{Annotation, Detail, Measure, Shape};
 use gcode_playground::scene::camera::{Camera, Pixel, Size};
 use gcode_playground::scene::face::Face;
 use gcode_playground::scene::occupied::{Occupied, Rectangle};
@@ -170,21 +173,277 @@ fn the_square_of_polar_interpolation_has_its_letters() {
             _ => None,
         })
         .collect();
-    let expected =
-        [("A", 50.0, 0.0), ("B", 50.0, 25.0), ("C", -50.0, 25.0), ("D", -50.0, -25.0), ("E", 50.0, -25.0)];
+    let expected = [
+        ("A", 50.0, 0.0),
+        ("B", 50.0, 25.0),
+        ("C", -50.0, 25.0),
+        ("D", -50.0, -25.0),
+        ("E", 50.0, -25.0),
+        ("O", 0.0, 0.0),
+    ];
     assert_points(&named, &expected);
     let steps = own.iter().filter(|own| matches!(own.shape, Shape::Step(_))).count();
     let sizes: Vec<f64> =
         own.iter().filter(|own| matches!(own.shape, Shape::Axial(_) | Shape::Radial(_))).map(shown).collect();
     assert_eq!((steps, sizes), (7, vec![50.0, 50.0]));
+    // The last move leaves on the line of the first, from X70 to X100: its number is between X80, the start, and X100.
+    let out = own.iter().find(|own| own.label.name == "⑦").expect("a step");
+    let Shape::Step([from, to]) = out.shape else { panic!("{out:?}") };
+    assert!((from.z - 40.0).abs() < 1e-6 && (to.z - 50.0).abs() < 1e-6, "{out:?}");
+}
+
+/// The figure of the cycle that a line calls, from 1, with its finished run.
+fn figure(text: &str, setup: &str, line: u32) -> (Run, Figure) {
+    let mut run = run(text, &Setup::from_json(setup).expect("a setup"));
+    let lines = LineIndex::new(run.text());
+    let start = lines.line(run.text(), line - 1).start;
+    let figure = figures::of_cycle(&mut run, start);
+    (run, figure)
+}
+
+/// The labels with a value of the figure of a cycle.
+fn values(text: &str, setup: &str, line: u32) -> Vec<String> {
+    let (_, figure) = figure(text, setup, line);
+    let with_value = figure.annotations.iter().filter(|own| own.label.value.is_some());
+    with_value.map(|own| own.label.text(Unit::Millimetre)).collect()
+}
+
+#[track_caller]
+fn assert_has(found: &[String], expected: &[&str]) {
+    let missing: Vec<_> = expected.iter().filter(|text| !found.iter().any(|own| own == *text)).collect();
+    assert!(missing.is_empty(), "{missing:?} is not in {found:?}");
+}
+
+/// The numbered steps of the figure of a cycle with their ends, X as diameters.
+fn steps(text: &str, line: u32) -> Vec<(&'static str, [(f64, f64); 2])> {
+    let (_, figure) = figure(text, "{}", line);
+    let numbered = figure.annotations.iter().filter(|own| own.label.value.is_none());
+    let steps = numbered.filter_map(|own| match own.shape {
+        Shape::Step(ends) => Some((own.label.name, ends.map(|at| (at.x + at.x, at.z)))),
+        _ => None,
+    });
+    // The number of the first pass of G73 is no step.
+    steps.filter(|(name, _)| *name != "1").collect()
+}
+
+#[track_caller]
+fn assert_steps(found: &[(&'static str, [(f64, f64); 2])], expected: &[(&'static str, [(f64, f64); 2])]) {
+    let is_same = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).abs().max((a.1 - b.1).abs()) < 1e-3;
+    let same = found.len() == expected.len()
+        && found.iter().zip(expected).all(|(own, wanted)| {
+            own.0 == wanted.0 && is_same(own.1[0], wanted.1[0]) && is_same(own.1[1], wanted.1[1])
+        });
+    assert!(same, "{found:?}, not {expected:?}");
+}
+
+/// The steps of `www/manual`: ⑥ is the longest straight piece of the contour, from Z-25.5 to Z-40.5 at X17, with the
+/// allowance.
+#[test]
+fn the_steps_of_g71_are_those_of_the_manual() {
+    assert_steps(
+        &steps(G71, 4),
+        &[
+            ("①", [(41.0, 0.0), (41.5, 0.2)]),
+            ("②", [(41.5, 0.2), (37.5, 0.2)]),
+            ("③", [(37.5, 0.2), (37.5, -60.3)]),
+            ("④", [(37.5, -60.3), (39.5, -59.3)]),
+            ("⑤", [(39.5, -59.3), (39.5, 0.2)]),
+            ("⑥", [(17.5, -25.3), (17.5, -40.3)]),
+            ("⑦", [(41.5, -60.3), (41.0, 0.0)]),
+        ],
+    );
+}
+
+fn fixture(id: &str) -> String {
+    fixtures::all().into_iter().find(|fixture| fixture.id == id).expect("a fixture").text
+}
+
+/// C is 18.25 and 5.5 from A, and each further start is 2 and 5/9 nearer. The longest straight piece is the cone. D, the
+/// start of the last pass, is only the allowance from A.
+#[test]
+fn the_steps_and_letters_of_g73_are_those_of_the_manual() {
+    let program = fixture("s003-g73");
+    assert_steps(
+        &steps(&program, 4),
+        &[
+            ("①", [(50.0, 10.0), (86.5, 15.5)]),
+            ("②", [(86.5, 15.5), (36.5, 6.5)]),
+            ("③", [(48.5, -9.5), (56.5, -24.5)]),
+            ("④", [(70.5, -44.5), (82.5, 14.9444)]),
+            ("⑤", [(34.5, -49.5), (50.0, 10.0)]),
+        ],
+    );
+    assert_points(
+        &points(&program, 4),
+        &[("A", 50.0, 10.0), ("A′", 0.0, 1.0), ("B", 34.0, -50.0), ("C", 86.5, 15.5), ("D", 50.5, 10.5)],
+    );
+}
+
+/// Seed 003: of G75, X is that of C and Z that of B; of G74, X is that of B and Z that of C.
+#[test]
+fn the_steps_and_letters_of_pecks_are_those_of_the_manual() {
+    let program = fixture("s003-g75");
+    assert_steps(
+        &steps(&program, 4),
+        &[
+            ("①", [(42.0, 22.0), (36.0, 22.0)]),
+            ("②", [(36.0, 22.0), (38.0, 22.0)]),
+            ("④", [(30.0, 22.0), (42.0, 22.0)]),
+            ("⑤", [(42.0, 22.0), (42.0, 19.1)]),
+            ("⑥", [(42.0, 10.0), (42.0, 22.0)]),
+        ],
+    );
+    assert_points(
+        &points(&program, 4),
+        &[("A", 42.0, 22.0), ("B", 42.0, 10.0), ("C", 30.0, 22.0), ("D", 30.0, 10.0)],
+    );
+    let face = "G00 X20 Z2 M03 S500\nG74 R1\nG74 X10 Z-12 P2000 Q5000 R0.3 F0.1\nM30\n";
+    assert_points(
+        &points(face, 3),
+        &[("A", 20.0, 2.0), ("B", 10.0, 2.0), ("C", 20.0, -12.0), ("D", 10.0, -12.0)],
+    );
+    // From X20 to the bottom, aside by 0.3 away from the next column, back to Z2.
+    let relief = steps(face, 3);
+    assert_steps(
+        &relief[2..4],
+        &[("③", [(20.0, -12.0), (20.6, -12.0)]), ("④", [(20.6, -12.0), (20.6, 2.0)])],
+    );
+}
+
+/// Pass 1 is at X37.2 and starts at 10 − 0.7 · tan 30° = 9.596, pass 12 at X33.8 and 10 − 2.4 · tan 30° = 8.614. The
+/// pull-out is one lead, 4 mm. U/2 = (33.8 − 60)/2, W = −60 − 10.
+#[test]
+fn the_circuit_of_g76_is_that_of_the_first_and_the_last_pass() {
+    let program = fixture("s003-g76");
+    assert_steps(
+        &steps(&program, 3),
+        &[
+            ("①", [(60.0, 10.0), (37.2, 9.5959)]),
+            ("②", [(37.2, 9.5959), (37.2, -56.0)]),
+            ("③", [(37.2, -56.0), (45.2, -60.0)]),
+            ("④", [(45.2, -60.0), (60.0, -60.0)]),
+            ("⑤", [(60.0, -60.0), (60.0, 10.0)]),
+        ],
+    );
+    assert_has(&values(&program, "{}", 3), &["U/2 = −13.1", "W = −70"]);
+    let (run, figure) = figure(&program, "{}", 3);
+    // Twelve passes of five motions after the rapid to the start.
+    let shown = figure.motions(run.motions());
+    assert_eq!(shown, [1..6, 56..61]);
+}
+
+/// 0.7 · √2 = 0.99; the tenth pass, 0.7 · √10 = 2.214, is the last before 2.4 − 0.1.
+#[test]
+fn the_depths_of_g76_have_the_numbers_of_their_passes() {
+    let (_, figure) = figure(&fixture("s003-g76"), "{}", 3);
+    let details = figure.annotations.iter().filter_map(|own| match &own.shape {
+        Shape::Detail(detail) => Some(detail),
+        _ => None,
+    });
+    let texts: Vec<String> =
+        details.flat_map(|detail| &detail.annotations).map(|own| own.label.text(Unit::Millimetre)).collect();
+    let expected = ["k = 2.4", "Δd = 0.7", "Δd√2 = 0.99", "Δd√10 = 2.214", "d = 0.1", "a = 60°", "a/2 = 30°"];
+    assert_eq!(texts, expected);
+}
+
+/// A thread at its programmed end: taper R-1 from X60 Z10 to X33.8 Z-60, with a pull-out of 4 mm. D is at X33.8.
+#[test]
+fn d_of_a_taper_thread_is_its_programmed_end() {
+    let program = "G00 X60 Z10 M03 S200\nG76 P011060 Q100 R0.1\nG76 X33.8 Z-60 R-1 P2400 Q700 F4\nM30\n";
+    let found = points(program, 3);
+    let d = found.iter().find(|own| own.0 == "D").expect("D");
+    assert!((d.1 - 33.8).abs() < 1e-6 && (d.2 + 60.0).abs() < 1e-6, "{found:?}");
+}
+
+/// At 500 rpm and lead 2, δ2 = 500 · 2 / 1800 = 0.556 and δ1 = 3.605 · δ2 = 2.003 (seed 001). A pull-out of one lead is
+/// in place of the run-out.
+#[test]
+fn a_thread_has_its_run_in_run_out_and_pull_out() {
+    let program = "G97 S500 M03\nG00 X35 Z4\nG92 X29.2 Z-26 F2\nM30\n";
+    let chamfer = |tenths: u32| format!(r#"{{"dialect": {{"threadChamfer": {tenths}}}}}"#);
+    let plain = values(program, &chamfer(0), 3);
+    assert_has(&plain, &["δ1 = 2.003", "δ2 = 0.556"]);
+    assert!(!plain.iter().any(|text| text.starts_with('r')), "{plain:?}");
+    let with_pull_out = values(program, &chamfer(10), 3);
+    assert_has(&with_pull_out, &["δ1 = 2.003", "r = 2"]);
+    assert!(!with_pull_out.iter().any(|text| text.starts_with("δ2")), "{with_pull_out:?}");
+    // Under G96 the speed is not known.
+    let surface = values(&program.replace("G97 S500", "G96 S100"), &chamfer(0), 3);
+    assert!(!surface.iter().any(|text| text.starts_with('δ')), "{surface:?}");
+}
+
+/// G94 from X54 to X30 over 24 mm of Z is at Z-20 on Ø50; G90 from X36.4 at Z2 to X58 at Z-25 is 36.4 + 21.6 · 2/27 = 38
+/// at the face.
+#[test]
+fn a_taper_has_its_size_at_the_blank() {
+    let facing = "(STOCK D=50 LENGTH=60)\nG00 X54 Z5 S500 M03\nG94 X30 Z0 R-24 F0.1\nM30\n";
+    assert_points(
+        &points(facing, 3),
+        &[("A", 54.0, 5.0), ("B", 54.0, -24.0), ("E", 30.0, 0.0), ("F", 30.0, 5.0), ("C", 50.0, -20.0)],
+    );
+    assert_has(&values(facing, "{}", 3), &["Ø30", "Ø50", "Z−20", "R = −24"]);
+    let turning = "(STOCK D=60 LENGTH=60)\nG00 X62 Z2\nG90 X58 Z-25 R-10.8 F0.2\nM30\n";
+    assert_has(&values(turning, "{}", 3), &["Ø58", "Ø38", "R = −10.8"]);
+}
+
+/// The passes of G73 lie on nearly one line before the contour: the figure has the infeed of the first and of the last
+/// pass, and the contour of each.
+#[test]
+fn the_figure_of_g73_has_two_infeeds() {
+    let (run, figure) = figure(&fixture("s003-g73"), "{}", 4);
+    let shown = figure.motions(run.motions());
+    let of_step = |wanted: Step| {
+        let own = shown.iter().flat_map(Clone::clone).filter_map(|index| run.motions().get(index).cycle);
+        let own = own.filter(|own| own.step == wanted && own.cycle == Cycle::Pattern);
+        own.map(|own| own.pass).collect::<BTreeSet<u32>>()
+    };
+    assert_eq!(of_step(Step::Infeed), BTreeSet::from([1, 10]));
+    assert_eq!(of_step(Step::Contour), (1..=10).collect());
+}
+
+/// The details of the figure of a cycle.
+fn details(text: &str, line: u32) -> Vec<Detail> {
+    let (_, figure) = figure(text, "{}", line);
+    let details = figure.annotations.into_iter().filter_map(|own| match own.shape {
+        Shape::Detail(detail) => Some(*detail),
+        _ => None,
+    });
+    details.collect()
+}
+
+/// The corner of G71 is X29 Z-60.5 finished and X29.5 Z-60.3 roughed. That of G72, between its cone and its land, is X20
+/// Z-20 finished and X20.1 Z-19.8 roughed: there is no corner between two axes.
+#[test]
+fn the_detail_of_the_allowance_is_at_a_corner_or_at_a_land() {
+    for (program, finished, allowance) in [
+        (G71.to_owned(), Point::new(14.5, -60.5), Point::new(0.25, 0.2)),
+        (fixture("s003-g72"), Point::new(10.0, -20.0), Point::new(0.05, 0.2)),
+    ] {
+        let all = details(&program, 4);
+        let [detail] = &all[..] else { panic!("{all:?}") };
+        assert!(detail.edges[0][1].is_same(finished), "{detail:?}");
+        assert!(detail.lines[0][1].is_same(finished.moved(allowance)), "{detail:?}");
+        // The part is on the other side of its edge.
+        let is_inside = |at: &Point| at.x <= finished.x + 1.0 && at.z <= finished.z + 1.0;
+        assert!(detail.part[0].len() == 6 && detail.part[0].iter().all(is_inside), "{detail:?}");
+        let texts: Vec<String> =
+            detail.annotations.iter().map(|own| own.label.text(Unit::Millimetre)).collect();
+        let expected = [format!("Δu/2 = {}", allowance.x), format!("Δw = {}", allowance.z)];
+        assert_eq!(texts, [&expected[0], &expected[1], "⑥", "A′–B"]);
+        let lengths = detail.annotations.iter().map(|own| match own.shape {
+            Shape::Axial([a, b]) => (a.z - b.z).abs(),
+            Shape::Radial([a, b]) => (a.x - b.x).abs(),
+            _ => f64::NAN,
+        });
+        let expected = [allowance.x, allowance.z];
+        assert!(lengths.zip(expected).all(|(own, wanted)| (own - wanted).abs() < 1e-6), "{detail:?}");
+    }
 }
 
 /// The named points of the figure of a cycle, as diameters.
 fn points(text: &str, line: u32) -> Vec<(&'static str, f64, f64)> {
-    let mut run = run(text, &Setup::default());
-    let lines = LineIndex::new(run.text());
-    let start = lines.line(run.text(), line - 1).start;
-    let own = figures::of_cycle(&mut run, start).annotations;
+    let (_, figure) = figure(text, "{}", line);
+    let own = figure.annotations;
     let named = own.iter().filter(|own| own.label.name != "O").filter_map(|own| match own.shape {
         Shape::Point(at) => Some((own.label.name, at.x + at.x, at.z)),
         _ => None,
@@ -432,6 +691,46 @@ fn the_distances_of_a_thread_include_its_pull_out() {
     );
 }
 
+/// Lines around a point, 3 pixels apart, up to 100 pixels away, with a gap of 36 by 36 pixels to the upper right: it is
+/// too small for `Z−20`, 34 pixels and its margins, but not for a number.
+fn with_a_gap(at: Pixel) -> Vec<Vec<Pixel>> {
+    let gap = Rectangle::around(Pixel::new(at.x + 30.0, at.y - 24.0), 36.0, 36.0);
+    let level = |step: i32| {
+        let y = at.y + 3.0 * f64::from(step);
+        let line = |from: f64, to: f64| vec![Pixel::new(from, y), Pixel::new(to, y)];
+        let (left, right) = (at.x - 100.0, at.x + 100.0);
+        match (gap.min.y..=gap.max.y).contains(&y) {
+            true => vec![line(left, gap.min.x), line(gap.max.x, right)],
+            false => vec![line(left, right)],
+        }
+    };
+    (-33..=33).flat_map(level).collect()
+}
+
+/// Beyond 15 mm, 57 pixels, a leader line is too long: the label is a number, and its text is in a row.
+#[test]
+fn a_label_far_from_its_point_is_a_number_with_a_row() {
+    let bounds = Bounds::around(Point::new(0.0, -60.0), Point::new(40.0, 0.0));
+    let camera = Camera::fit(bounds, Size { width: 700.0, height: 500.0 });
+    let at = Point::new(20.0, -30.0);
+    let note = Annotation::dimension(Shape::Note(at), "", Measure::Coordinate('Z', -20.0));
+    let middle = camera.to_screen(at);
+    let placed = |lines: &[Vec<Pixel>]| {
+        place(std::slice::from_ref(&note), &Occupied::of_lines(lines, &camera), &camera, Unit::Millimetre)
+    };
+    let dense = with_a_gap(middle);
+    let texts = |placed: &Placed| placed.labels.iter().map(|own| own.text.clone()).collect::<Vec<_>>();
+    let numbered = placed(&dense);
+    assert_eq!(texts(&numbered), ["*1", "*1: Z−20"]);
+    assert!(numbered.labels[0].area.middle().distance(middle) < 57.0, "{numbered:?}");
+    // Without the gap, not even a number is near.
+    let whole: Vec<Vec<Pixel>> = dense
+        .iter()
+        .map(|line| vec![Pixel::new(middle.x - 100.0, line[0].y), Pixel::new(middle.x + 100.0, line[0].y)])
+        .collect();
+    assert_eq!(texts(&placed(&whole)), ["Z−20"]);
+}
+
 /// A column beyond the line is its end.
 #[test]
 fn a_figure_of_a_column_beyond_the_line_is_empty() {
@@ -523,7 +822,7 @@ fn assert_meets_nothing(name: &str, placed: &Placed, occupied: &Occupied, camera
             "{name}: {label:?} is outside"
         );
         assert!(occupied.is_free(&area), "{name}: {label:?} is over a stroke");
-        let crossing = placed.lines.iter().find(|line| passes_through(line, &area));
+        let crossing = placed.lines.iter().chain(&placed.edges).find(|line| passes_through(line, &area));
         assert!(crossing.is_none(), "{name}: {label:?} is over {crossing:?}");
         for other in &placed.labels[..index] {
             assert!(!area.overlaps(&other.area), "{name}: {label:?} over {other:?}");

@@ -1,26 +1,28 @@
 //! The figure of a cycle, as in manuals: its letters, the dimension of each of its words, its steps.
 //!
 //! In: the blocks of the cycle with their execution, and the motions. Out: annotations. Points are named as in
-//! FANUC B-64304 and GSK 980TD: A start, B and C the ends of the cut, A′ and B the ends of a contour.
+//! FANUC B-64304 and GSK 980TD: A start, B and C the ends of the cut, A′ and B the ends of a contour. G94 has the letters
+//! of seed 004, G74 and G75 have the letters of seed 003. Details are in `details`.
 
 use std::ops::Range;
 
 use super::NUMBERS;
 use crate::assist::Query;
 use crate::control::contour::Landmarks;
+use crate::cycles::threading::{run_in, run_out};
 use crate::geometry::{Point, at_share};
-use crate::motion::{Cycle, Motion, Motions, Step};
-use crate::scene::annotation::{Annotation, Detail, Importance, Measure, Shape};
+use crate::motion::{Cycle, Motion, Motions, SpindleSpeed, Step};
+use crate::scene::annotation::{Annotation, Importance, Measure, Shape};
+use crate::setup::Stock;
 use crate::source::Span;
-
-/// The steps of a single cycle.
-const STEPS: [Step; 4] = [Step::Infeed, Step::Cut, Step::Retract, Step::Return];
+use crate::units::Diameter;
 
 /// A call of a cycle.
 pub struct Call {
     /// Index of its first motion.
     pub first: usize,
-    cycle: Cycle,
+    /// Its cycle.
+    pub cycle: Cycle,
     /// Its motions on the workpiece, at most [`MAX_MOTIONS`]; at least one.
     own: Vec<Motion>,
 }
@@ -34,8 +36,13 @@ impl Call {
         Some(Self { first, cycle: own.first()?.cycle?.cycle, own })
     }
 
+    /// X of its start, a radius, mm.
+    pub fn home(&self) -> f64 {
+        self.own[0].from.x
+    }
+
     /// The motions of a step.
-    fn steps(&self, step: Step) -> impl DoubleEndedIterator<Item = &Motion> {
+    pub fn steps(&self, step: Step) -> impl DoubleEndedIterator<Item = &Motion> {
         self.own.iter().filter(move |motion| motion.cycle.is_some_and(|own| own.step == step))
     }
 
@@ -45,28 +52,63 @@ impl Call {
     }
 
     /// The last motion of a step.
-    fn last(&self, step: Step) -> Option<&Motion> {
+    pub fn last(&self, step: Step) -> Option<&Motion> {
         self.steps(step).next_back()
     }
 
-    /// The letters of the cycle, and the steps of a single cycle. `block`: its block; `landmarks`: the named points of
+    /// The motions of the numbered steps, as in the manual of the codes; `None` for a step that does not occur.
+    fn numbered(&self) -> Vec<Option<&Motion>> {
+        let step = |step: Step| self.step(step);
+        let back = step(Step::Return).filter(|motion| pass_of(motion) > 0);
+        let end = self.own.last().filter(|motion| is_step(motion, Step::Return) && pass_of(motion) == 0);
+        let passes = || self.steps(Step::Contour).map(pass_of);
+        let contour = |pass: Option<u32>| self.longest_of(pass?);
+        match self.cycle {
+            Cycle::Turning | Cycle::Facing | Cycle::Threading => {
+                [Step::Infeed, Step::Cut, Step::Retract, Step::Return].map(step).to_vec()
+            }
+            Cycle::RoughTurning | Cycle::RoughFacing => {
+                let [approach, infeed, cut, escape] =
+                    [Step::Approach, Step::Infeed, Step::Cut, Step::Escape].map(step);
+                vec![approach, infeed, cut, escape, back, contour(passes().next_back()), end]
+            }
+            Cycle::Pattern => {
+                let next = self.steps(Step::Approach).nth(1);
+                vec![step(Step::Approach), step(Step::Infeed), contour(passes().next()), next, end]
+            }
+            Cycle::FacePecking | Cycle::Grooving => {
+                let [cut, retract, relief, over] =
+                    [Step::Cut, Step::Retract, Step::Relief, Step::Stepover].map(step);
+                vec![cut, retract, relief, back, over, end]
+            }
+            Cycle::MultiThreading => {
+                [Step::Infeed, Step::Cut, Step::PullOut, Step::Retract, Step::Return].map(step).to_vec()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The longest straight motion of a pass along the contour.
+    fn longest_of(&self, pass: u32) -> Option<&Motion> {
+        let own =
+            self.steps(Step::Contour).filter(|motion| motion.arc().is_none() && pass_of(motion) == pass);
+        own.max_by(|a, b| a.length().total_cmp(&b.length()))
+    }
+
+    /// The letters of the cycle. `block`: its block; `landmarks`: the named points of
     /// all contours of the run.
     pub fn letters(&self, block: Span, landmarks: &[Landmarks]) -> Vec<Annotation> {
         let (step, last) = (|step: Step| self.step(step), |step: Step| self.last(step));
         let start = self.own[0].from;
         let mut points = vec![(start, "A")];
-        let mut steps = Vec::new();
         match self.cycle {
             Cycle::Turning | Cycle::Facing | Cycle::Threading => {
+                let [end, out] = if self.cycle == Cycle::Facing { ["E", "F"] } else { ["C", "D"] };
                 points.extend(step(Step::Cut).map(|cut| (cut.from, "B")));
-                points.extend(step(Step::Cut).map(|cut| (cut.to, "C")));
+                points.extend(step(Step::Cut).map(|cut| (cut.to, end)));
                 // A pull-out may end at the height of the start.
-                let out = step(Step::Retract).or_else(|| step(Step::PullOut));
-                points.extend(out.map(|out| (out.to, "D")));
-                for (wanted, name) in STEPS.into_iter().zip(NUMBERS) {
-                    let motion = step(wanted).filter(|motion| motion.length() > 0.0);
-                    steps.extend(motion.map(|motion| Annotation::step([motion.from, motion.to], name)));
-                }
+                let retract = step(Step::Retract).or_else(|| step(Step::PullOut));
+                points.extend(retract.map(|retract| (retract.to, out)));
             }
             Cycle::RoughTurning | Cycle::RoughFacing | Cycle::Pattern | Cycle::Finishing => {
                 let is_own = |span: Span| block.start <= span.start && span.end <= block.end;
@@ -75,13 +117,17 @@ impl Call {
                     points.push((found.last.moved(found.zero), "B"));
                 }
                 points.extend(step(Step::Approach).map(|approach| (approach.to, "C")));
+                if self.cycle == Cycle::Pattern {
+                    points.extend(last(Step::Approach).map(|approach| (approach.to, "D")));
+                }
             }
-            // B has the X, C the Z of the end point D.
+            // B is the end of the first row of columns, C the bottom of the first column; with D they are a rectangle.
             Cycle::FacePecking | Cycle::Grooving => {
                 if let Some(end) = last(Step::Cut).map(|cut| cut.to) {
-                    points.push((Point::new(end.x, start.z), "B"));
-                    points.push((Point::new(start.x, end.z), "C"));
-                    points.push((end, "D"));
+                    let has_x = Point::new(end.x, start.z);
+                    let has_z = Point::new(start.x, end.z);
+                    let [b, c] = if self.cycle == Cycle::Grooving { [has_z, has_x] } else { [has_x, has_z] };
+                    points.extend([(b, "B"), (c, "C"), (end, "D")]);
                 }
             }
             // D is the programmed end point; a chamfer leaves the thread before it.
@@ -90,7 +136,7 @@ impl Call {
                 points.extend(last(Step::Cut).map(|cut| (cut.from, "C")));
                 let out = last(Step::Retract).or_else(|| last(Step::PullOut));
                 if let Some((cut, out)) = last(Step::Cut).zip(out) {
-                    points.push((Point::new(cut.to.x, out.to.z), "D"));
+                    points.push((programmed_end(cut, Some(out.to.z)), "D"));
                     points.push((out.to, "E"));
                 }
             }
@@ -106,8 +152,15 @@ impl Call {
                 named.push(Annotation::point(at, name));
             }
         }
-        named.extend(steps);
         named
+    }
+
+    /// The numbers of the steps.
+    pub fn step_numbers(&self) -> impl Iterator<Item = Annotation> {
+        let numbered = self.numbered().into_iter().zip(NUMBERS);
+        let moved =
+            numbered.filter_map(|(motion, name)| Some((motion.filter(|own| own.length() > 0.0)?, name)));
+        moved.map(|(motion, name)| Annotation::step([motion.from, motion.to], name))
     }
 
     /// The distances from A to C: U/2 and W of a single cycle, also if the block has X and Z; in the pattern of G73 the
@@ -115,6 +168,7 @@ impl Call {
     pub fn distances(&self, all: &[Annotation]) -> Vec<Annotation> {
         let (names, end) = match self.cycle {
             Cycle::Turning | Cycle::Facing | Cycle::Threading => (["U/2", "W"], self.step(Step::Cut)),
+            Cycle::MultiThreading => (["U/2", "W"], self.last(Step::Cut)),
             Cycle::Pattern => (["Δi + Δu/2", "Δk + Δw"], self.step(Step::Approach)),
             _ => return Vec::new(),
         };
@@ -136,83 +190,84 @@ impl Call {
         missing.map(|(name, (shape, mm))| Annotation::dimension(shape, name, Measure::Length(mm))).collect()
     }
 
+    /// Where the cone of a taper meets the blank: G94 at its diameter, with Ø and Z of this point C; G90 at its face, with
+    /// Ø. `stock`: the given blank.
+    pub fn corner_of_taper(&self, stock: impl FnOnce() -> Option<Stock>) -> Vec<Annotation> {
+        let Some(cut) = self.step(Step::Cut) else { return Vec::new() };
+        let (x, z) = (cut.to.x - cut.from.x, cut.to.z - cut.from.z);
+        if x.abs() < SAME_DEPTH || z.abs() < SAME_DEPTH {
+            return Vec::new();
+        }
+        let share = match self.cycle {
+            Cycle::Facing => stock().map(|stock| (stock.diameter.radius() - cut.from.x) / x),
+            Cycle::Turning => stock().map(|stock| (stock.face - cut.from.z) / z),
+            _ => None,
+        };
+        let share = share.filter(|share| (SAME_DEPTH..1.0 - SAME_DEPTH).contains(share));
+        let Some(at) = share.map(|share| at_share([cut.from, cut.to], share)) else { return Vec::new() };
+        let diameter = Measure::Diameter(Diameter::from_radius(at.x).mm());
+        let mut all = vec![Annotation::dimension(Shape::Diameter(at), "", diameter)];
+        if self.cycle == Cycle::Facing {
+            let from_zero = Shape::Axial([Point::new(at.x, 0.0), at]);
+            all.push(Annotation::point(at, "C"));
+            all.push(Annotation::dimension(from_zero, "", Measure::Coordinate('Z', at.z)));
+        }
+        all.retain(|own| own.shape.is_visible());
+        all
+    }
+
+    /// The run-in δ1 and the run-out δ2 that a thread of G92 needs at a constant speed, and its pull-out r. With a
+    /// pull-out there is no run-out. `all`: the annotations of the block, which may have the pull-out already.
+    pub fn ends_of_thread(&self, all: &[Annotation]) -> Vec<Annotation> {
+        let Some(cut) = self.step(Step::Cut).filter(|_| self.cycle == Cycle::Threading) else {
+            return Vec::new();
+        };
+        let length = (cut.to.z - cut.from.z).abs();
+        let ends = [cut.from, cut.to];
+        let mut own = Vec::new();
+        let out = self.step(Step::PullOut);
+        if let (SpindleSpeed::Constant(speed), Some(lead)) = (cut.process.speed, cut.lead) {
+            let [first, last] = [run_in(speed, lead.abs()), run_out(speed, lead.abs())];
+            if first > SAME_DEPTH && first + last < length {
+                let until = at_share(ends, first / length);
+                own.push(Annotation::dimension(
+                    Shape::Axial([cut.from, until]),
+                    "δ1",
+                    Measure::Length(first),
+                ));
+                let from = at_share(ends, 1.0 - last / length);
+                let run_out =
+                    Annotation::dimension(Shape::Axial([from, cut.to]), "δ2", Measure::Length(last));
+                own.extend(Some(run_out).filter(|_| out.is_none()));
+            }
+        }
+        let is_given = ["r", "J", "K"].iter().any(|name| all.iter().any(|own| own.label.name == *name));
+        if let Some(out) = out.filter(|_| !is_given) {
+            let value = Measure::Length((out.to.z - out.from.z).abs());
+            own.push(Annotation::dimension(Shape::Axial([out.from, out.to]), "r", value));
+        }
+        own.retain(|own| own.shape.is_visible());
+        own
+    }
+
     /// Numbers the passes of G73, whose number is no length: `1` at the first one, `d = 10` at the last one.
     pub fn add_pass_numbers(&self, all: &mut Vec<Annotation>) {
         let is_count = |own: &Annotation| matches!(own.label.value, Some(Measure::Count(_)));
         let Some(count) = all.iter().find(|own| is_count(own)).map(|own| own.label.clone()) else { return };
-        let longest = |pass: u32| {
-            let own = self.steps(Step::Contour);
-            let own = own.filter(|motion| motion.arc().is_none() && pass_of(motion) == pass);
-            own.max_by(|a, b| a.length().total_cmp(&b.length()))
-        };
         let numbers = || self.steps(Step::Contour).map(pass_of);
-        let ends = [numbers().min(), numbers().max()].map(|pass| longest(pass?));
+        let ends = [numbers().min(), numbers().max()].map(|pass| self.longest_of(pass?));
         let [Some(first), Some(last)] = ends else { return };
         all.retain(|own| !is_count(own) && own.label.name != "Δi" && own.label.name != "Δk");
         all.push(Annotation::step([first.from, first.to], "1"));
         let shape = Shape::Step([last.from, last.to]);
         all.push(Annotation { shape, label: count, importance: Importance::Usual });
     }
-
-    /// Replaces the allowances of roughing, which are too small to be seen, by a detail of a corner of the contour: the
-    /// last roughing pass and the finished contour.
-    pub fn add_allowance(&self, all: &mut Vec<Annotation>) {
-        let [x, z] = ["Δu/2", "Δw"].map(|name| length_of(all, name).unwrap_or(0.0));
-        let largest = x.abs().max(z.abs());
-        let last = self.last(Step::Contour).map_or(0, pass_of);
-        let pieces: Vec<&Motion> =
-            self.steps(Step::Contour).filter(|motion| pass_of(motion) == last).collect();
-        // Only a corner between two axes shows both.
-        let along_x = |motion: &Motion| (motion.to.z - motion.from.z).abs() < SAME_DEPTH;
-        let along_z = |motion: &Motion| (motion.to.x - motion.from.x).abs() < SAME_DEPTH;
-        let is_corner = |pair: &&[&Motion]| {
-            let [one, other] = [pair[0], pair[1]];
-            let is_straight = one.arc().is_none() && other.arc().is_none();
-            is_straight && (along_x(one) && along_z(other) || along_z(one) && along_x(other))
-        };
-        let shortest = |pair: &[&Motion]| pair[0].length().min(pair[1].length());
-        let corners = pieces.windows(2).filter(is_corner);
-        let Some(pair) = corners.max_by(|a, b| shortest(a).total_cmp(&shortest(b))) else { return };
-        let reach = shortest(pair).min(4.0 * largest);
-        if largest < SAME_DEPTH || reach < 2.0 * largest {
-            return;
-        }
-        let corner = pair[0].to;
-        let arm = |motion: &Motion, end: Point| at_share([corner, end], reach / motion.length());
-        let arms = [arm(pair[0], pair[0].from), arm(pair[1], pair[1].to)];
-        let finished = |at: Point| Point::new(at.x - x, at.z - z);
-        let rough = vec![arms[0], corner, arms[1]];
-        let lines = vec![rough.iter().copied().map(finished).collect(), rough];
-        let [level, upright] = if along_z(pair[0]) { arms } else { [arms[1], arms[0]] };
-        let [level, upright] = [level, upright].map(|end| at_share([corner, end], 0.7));
-        let dimensions = [
-            (Shape::Radial([level, Point::new(level.x - x, level.z)]), "Δu/2", x),
-            (Shape::Axial([upright, Point::new(upright.x, upright.z - z)]), "Δw", z),
-        ];
-        let dimensions = dimensions.into_iter().filter(|(shape, ..)| shape.is_visible());
-        let annotations: Vec<Annotation> = dimensions
-            .map(|(shape, name, mm)| Annotation::dimension(shape, name, Measure::Length(mm)))
-            .collect();
-        all.retain(|own| own.label.name != "Δu/2" && own.label.name != "Δw");
-        let detail = Detail { at: corner, radius: reach, lines, annotations };
-        all.push(Annotation::detail(detail));
-    }
-
-    /// Replaces the depths of the passes of G76 by a detail of the groove with each pass, the infeed law √n.
-    pub fn add_infeed(&self, all: &mut Vec<Annotation>) {
-        if self.cycle != Cycle::MultiThreading {
-            return;
-        }
-        let cuts: Vec<Motion> = self.steps(Step::Cut).copied().collect();
-        let Some(detail) = infeed(all, &cuts, self.own[0].from.x) else { return };
-        all.retain(|annotation| !DEPTHS.contains(&annotation.label.name));
-        all.push(Annotation::detail(detail));
-    }
 }
 
 /// The programmed end of a cut. A thread is left before it; `z`: the Z of its end.
 fn programmed_end(cut: &Motion, z: Option<f64>) -> Point {
-    let is_thread = cut.cycle.is_some_and(|step| step.cycle == Cycle::Threading);
+    let is_thread =
+        cut.cycle.is_some_and(|step| matches!(step.cycle, Cycle::Threading | Cycle::MultiThreading));
     let length = cut.to.z - cut.from.z;
     match z.filter(|_| is_thread && length.abs() > SAME_DEPTH) {
         Some(z) => at_share([cut.from, cut.to], (z - cut.from.z) / length),
@@ -220,12 +275,17 @@ fn programmed_end(cut: &Motion, z: Option<f64>) -> Point {
     }
 }
 
-fn pass_of(motion: &Motion) -> u32 {
+/// The pass of a motion, from 1; 0 outside the passes.
+pub fn pass_of(motion: &Motion) -> u32 {
     motion.cycle.map_or(0, |own| own.pass)
 }
 
+fn is_step(motion: &Motion, step: Step) -> bool {
+    motion.cycle.is_some_and(|own| own.step == step)
+}
+
 /// The length that a named annotation shows, mm.
-fn length_of(all: &[Annotation], name: &str) -> Option<f64> {
+pub fn length_of(all: &[Annotation], name: &str) -> Option<f64> {
     match all.iter().find(|own| own.label.name == name)?.label.value {
         Some(Measure::Length(mm)) => Some(mm),
         _ => None,
@@ -247,80 +307,9 @@ pub fn dimensions(asked: &Query, motions: &Motions) -> Vec<Annotation> {
     all
 }
 
-/// The dimensions of G76 that a detail shows.
-const DEPTHS: [&str; 5] = ["k", "Δd", "Δd min", "d", "a"];
-
-/// The groove of a thread with the edges of each pass, and its depths: `Δd` of the first, `Δd√2` of the second,
-/// `Δd√n` of the last one that follows this law, then the least infeed and the allowance.
-/// `home`: X of the start of the cycle, a radius, mm.
-fn infeed(all: &[Annotation], cuts: &[Motion], home: f64) -> Option<Detail> {
-    let length = |name: &str| length_of(all, name);
-    let height = length("k")?;
-    let half = all.iter().find(|own| own.label.name == "a").map_or(0.0, |own| match own.label.value {
-        Some(Measure::Degrees(degrees)) => (degrees / 2.0).to_radians(),
-        _ => 0.0,
-    });
-    let (first, last) = (cuts.first()?.from, cuts.last()?.from);
-    let above = if (first.x - last.x).abs() > SAME_DEPTH { first.x } else { home };
-    let out = (above - last.x).signum();
-    let crest = last.x + out * height;
-    let mut tips: Vec<Point> = Vec::new();
-    for cut in cuts.iter().take(MAX_PASSES) {
-        if tips.last().is_none_or(|tip| (tip.x - cut.from.x).abs() > SAME_DEPTH) {
-            tips.push(cut.from);
-        }
-    }
-    let depth = |tip: &Point| (crest - tip.x).abs();
-    let reach = |tip: &Point| depth(tip) * half.tan();
-    let mut lines: Vec<Vec<Point>> = tips
-        .iter()
-        .map(|tip| {
-            let [right, left] = [1.0, -1.0].map(|side| Point::new(crest, tip.z + side * reach(tip)));
-            vec![left, *tip, right]
-        })
-        .collect();
-    let ends: Vec<f64> = lines.iter().flatten().map(|at| at.z).collect();
-    let right = ends.iter().copied().fold(f64::MIN, f64::max) + 0.3 * height;
-    let left = ends.iter().copied().fold(f64::MAX, f64::min) - 0.3 * height;
-    lines.push(vec![Point::new(crest, left), Point::new(crest, right)]);
-    let from_crest = |tip: &Point, name: &'static str| {
-        let shape = Shape::Radial([Point::new(crest, tip.z), *tip]);
-        Annotation::dimension(shape, name, Measure::Length(depth(tip)))
-    };
-    let between = |pair: &[Point], name: &'static str| {
-        let shape = Shape::Radial([Point::new(pair[0].x, pair[1].z), pair[1]]);
-        Annotation::dimension(shape, name, Measure::Length((pair[0].x - pair[1].x).abs()))
-    };
-    let mut annotations = vec![from_crest(&last, "k")];
-    if let Some(step) = length("Δd") {
-        let follows =
-            |index: usize, tip: &Point| (depth(tip) - step * (index as f64 + 1.0).sqrt()).abs() < SAME_DEPTH;
-        let law: Vec<&Point> =
-            tips.iter().enumerate().filter(|(index, tip)| follows(*index, tip)).map(|(_, tip)| tip).collect();
-        annotations.extend(law.first().map(|tip| from_crest(tip, "Δd")));
-        annotations.extend(law.get(1).map(|tip| from_crest(tip, "Δd√2")));
-        annotations.extend(law.get(2..).and_then(<[_]>::last).map(|tip| from_crest(tip, "Δd√n")));
-    }
-    if let Some(least) = length("Δd min") {
-        let is_least = |pair: &&[Point]| ((pair[0].x - pair[1].x).abs() - least).abs() < SAME_DEPTH;
-        // The last infeed is the finishing allowance, which may be as large.
-        let before_last = &tips[..tips.len().saturating_sub(1)];
-        annotations.extend(before_last.windows(2).find(is_least).map(|pair| between(pair, "Δd min")));
-    }
-    if length("d").is_some() {
-        annotations.extend(tips.windows(2).last().map(|pair| between(pair, "d")));
-    }
-    if half > 0.0 {
-        let arm = |side: f64| Point::new(crest, last.z + side * reach(&last));
-        let shape = Shape::Angle { vertex: last, base: arm(1.0), end: arm(-1.0) };
-        annotations.push(Annotation::dimension(shape, "a", Measure::Degrees(2.0 * half.to_degrees())));
-    }
-    let at = Point::new((crest + last.x) / 2.0, (left + right) / 2.0);
-    Some(Detail { at, radius: ((right - left) / 2.0).max(0.6 * height), lines, annotations })
-}
-
 /// The motions of the figure of a cycle: its call at `first`, adjacent calls of the same cycle, and finishing after
-/// roughing.
+/// roughing. The middle passes of G76 are left out, because a detail shows them, and the infeed of the middle passes of
+/// G73, because all infeeds lie on nearly the same line.
 pub fn shown(motions: &Motions, first: usize) -> Vec<Range<usize>> {
     let cycle = |index: usize| motions.get(index).cycle.map(|step| step.cycle);
     let own = cycle(first);
@@ -339,12 +328,41 @@ pub fn shown(motions: &Motions, first: usize) -> Vec<Range<usize>> {
         _ => None,
     };
     let finishing = finishing.map(|index| index..end_of(index, Some(Cycle::Finishing)));
-    [calls].into_iter().chain(finishing).collect()
+    match own {
+        Some(Cycle::MultiThreading | Cycle::Pattern) => {
+            outer_passes(motions, calls).into_iter().chain(finishing).collect()
+        }
+        _ => [calls].into_iter().chain(finishing).collect(),
+    }
+}
+
+/// The motions of calls of G76 or G73 that a figure shows.
+fn outer_passes(motions: &Motions, calls: Range<usize>) -> Vec<Range<usize>> {
+    let mut shown: Vec<Range<usize>> = Vec::new();
+    let mut first = calls.start;
+    while first < calls.end {
+        let line = motions.line(first);
+        let end = (first..calls.end).find(|&index| motions.line(index) != line).unwrap_or(calls.end);
+        let last = (first..end).map(|index| pass_of(&motions.get(index))).max().unwrap_or(0);
+        let is_shown = |index: &usize| {
+            let motion = motions.get(*index);
+            let is_outer = matches!(pass_of(&motion), 0 | 1) || pass_of(&motion) == last;
+            let is_left_out = motion.cycle.is_none_or(|own| own.cycle == Cycle::MultiThreading)
+                || is_step(&motion, Step::Infeed);
+            is_outer || !is_left_out
+        };
+        for index in (first..end).filter(is_shown) {
+            match shown.last_mut() {
+                Some(range) if range.end == index => range.end += 1,
+                _ => shown.push(index..index + 1),
+            }
+        }
+        first = end;
+    }
+    shown
 }
 
 /// Depths that differ by less, mm, are the same.
-const SAME_DEPTH: f64 = 1e-3;
-/// Maximum number of passes in a detail.
-const MAX_PASSES: usize = 60;
+pub const SAME_DEPTH: f64 = 1e-3;
 /// Maximum number of motions of a cycle that are looked at.
 const MAX_MOTIONS: usize = 20_000;

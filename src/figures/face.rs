@@ -4,15 +4,21 @@
 //! In: the moves over the face. Out: annotations in the plane of the face.
 
 use super::NUMBERS;
-use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::{Point, at_share, share_along};
 use crate::motion::{Motion, MotionKind};
 use crate::scene::StrokeShape;
 use crate::scene::annotation::{Annotation, Measure, Shape};
 use crate::scene::surface_moves::SurfaceMoves;
 
+/// The names of the corners. I is the name of a detail, O that of the zero of the program.
 const LETTERS: [&str; 20] =
-    ["A", "B", "C", "D", "E", "F", "G", "H", "I", "J", "K", "L", "M", "N", "O", "P", "Q", "R", "S", "T"];
+    ["A", "B", "C", "D", "E", "F", "G", "H", "J", "K", "L", "M", "N", "P", "Q", "R", "S", "T", "U", "V"];
+
+/// A point this near to a line is on it, mm.
+const ON_LINE: f64 = 1e-3;
+/// A piece of a move that is a smaller share of it has no room for a number.
+const LEAST_SHARE: f64 = 0.1;
 
 /// The annotations of the contour; empty if it has more moves than there are numbers. The last of several moves leaves
 /// the contour, so its end has no letter. Arcs have their radius.
@@ -46,20 +52,41 @@ pub fn of_face(moves: &SurfaceMoves) -> Vec<Annotation> {
         corners.push(corner);
         all.extend(moves.cutter_after(*index).map(Annotation::outline));
     }
-    for ((_, motion), name) in cuts.iter().zip(NUMBERS) {
-        all.push(Annotation::step(middle_of(motion), name));
+    for (own, name) in (0..cuts.len()).zip(NUMBERS) {
+        let others =
+            cuts.iter().enumerate().filter(|(other, (_, motion))| *other != own && motion.arc().is_none());
+        let others = others.map(|(_, (_, motion))| [motion.from, motion.to]);
+        all.push(Annotation::step(middle_of(&cuts[own].1, others), name));
     }
     let mut size = corners.iter().map(|corner| Bounds::of(*corner)).reduce(Bounds::union);
     for (_, motion) in contour.iter().skip(1) {
         size = size.map(|size| size.union(StrokeShape::of(&programmed(motion)).bounds()));
     }
     all.extend(size.filter(|_| corners.len() > 2).into_iter().flat_map(dimensions_of));
+    all.push(super::origin());
     all
 }
 
-/// A short piece in the middle of a move: of an arc, its middle is not between its ends.
-fn middle_of(motion: &Motion) -> [Point; 2] {
-    motion.arc().map_or([motion.from, motion.to], |arc| [arc.at(0.45), arc.at(0.55)])
+/// Two points with the middle of a move between them: of an arc, near its middle; of a line, the ends of its longest piece
+/// that is on no other line, so that the numbers of the ways in and out are apart.
+fn middle_of(motion: &Motion, others: impl Iterator<Item = [Point; 2]>) -> [Point; 2] {
+    let ends = [motion.from, motion.to];
+    if let Some(arc) = motion.arc() {
+        return [arc.at(0.45), arc.at(0.55)];
+    }
+    let is_on_line = |at: &Point| at_share(ends, share_along(ends, *at)).distance(*at) < ON_LINE;
+    let on_line = others.filter(|other| other.iter().all(is_on_line));
+    let shares = on_line.map(|other| other.map(|at| share_along(ends, at).clamp(0.0, 1.0)));
+    let mut covered: Vec<[f64; 2]> = shares.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let (mut longest, mut end) = ([0.0, 0.0], 0.0);
+    for [low, high] in covered.into_iter().chain([[1.0, 1.0]]) {
+        if low - end > longest[1] - longest[0] {
+            longest = [end, low];
+        }
+        end = f64::max(end, high);
+    }
+    if longest[1] - longest[0] < LEAST_SHARE { ends } else { longest.map(|share| at_share(ends, share)) }
 }
 
 /// Width and height of the contour.

@@ -4,6 +4,7 @@
 //! values come from the run, so they follow every edit. Must not know canvases or a language.
 
 mod cycle;
+mod details;
 mod face;
 pub mod measure;
 mod nose;
@@ -98,12 +99,20 @@ pub fn of_cycle(run: &mut Run, byte: u32) -> Figure {
         }
     }
     all.extend(call.distances(&all));
+    all.extend(call.ends_of_thread(&all));
+    all.extend(call.corner_of_taper(|| run.setup_at_machine().stock));
     call.add_pass_numbers(&mut all);
-    call.add_allowance(&mut all);
-    call.add_infeed(&mut all);
-    // Zero of the program.
-    all.push(Annotation { importance: Importance::Low, ..Annotation::point(Point::default(), "O") });
+    details::add_allowance(&call, &mut all);
+    details::add_infeed(&call, &mut all);
+    // Dimensions need the places beside their points.
+    all.extend(call.step_numbers());
+    all.push(origin());
     Figure { annotations: all, first: call.first }
+}
+
+/// Zero of the program.
+fn origin() -> Annotation {
+    Annotation { importance: Importance::Low, ..Annotation::point(Point::default(), "O") }
 }
 
 /// Which block of a multiple cycle a block is.

@@ -50,5 +50,11 @@ pub fn of_nose(simulation: &SimulationResult, motions: &Motions) -> Option<Annot
         ),
     ];
     let lines = vec![programmed, cut, circle, measured];
-    Some(Annotation::detail(Detail { at: tip, radius: 2.0 * radius, lines, annotations }))
+    Some(Annotation::detail(Detail {
+        at: tip,
+        radius: 2.0 * radius,
+        lines,
+        annotations,
+        ..Detail::default()
+    }))
 }

@@ -72,14 +72,18 @@ pub enum Shape {
 }
 
 /// A part of the picture that is drawn again at a larger scale, in a free area.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Detail {
     /// The middle of the circle around it.
     pub at: Point,
     /// The radius of the circle, mm.
     pub radius: f64,
-    /// What is drawn.
+    /// Thin lines.
     pub lines: Vec<Vec<Point>>,
+    /// Thick lines: the edges of the part.
+    pub edges: Vec<Vec<Point>>,
+    /// Outlines of the part, which are hatched.
+    pub part: Vec<Vec<Point>>,
     /// Its own dimensions.
     pub annotations: Vec<Annotation>,
 }
@@ -123,6 +127,8 @@ pub enum Measure {
     Ratio(f64),
     /// A metric thread by its diameter and lead, mm.
     Thread(f64, f64),
+    /// A length, mm, that is the root of a number times the length of its name.
+    Root(usize, f64),
 }
 
 impl Annotation {
@@ -227,8 +233,12 @@ impl Label {
     /// The text, with lengths in `unit`.
     pub fn text(&self, unit: Unit) -> String {
         let Some(value) = self.value else { return self.name.to_owned() };
-        let value = value.text(unit);
-        if self.name.is_empty() { value } else { format!("{} = {value}", self.name) }
+        let text = value.text(unit);
+        match (self.name, value) {
+            ("", _) => text,
+            (name, Measure::Root(number, _)) => format!("{name}√{number} = {text}"),
+            (name, _) => format!("{name} = {text}"),
+        }
     }
 }
 
@@ -240,7 +250,7 @@ impl Measure {
             printed((mm / unit.millimetres() * factor).round() / factor)
         };
         match self {
-            Self::Length(mm) => length(mm),
+            Self::Length(mm) | Self::Root(_, mm) => length(mm),
             Self::Diameter(mm) => format!("Ø{}", length(mm)),
             Self::Radius(mm) => format!("R{}", length(mm)),
             Self::Coordinate(axis, mm) => format!("{axis}{}", length(mm)),
@@ -270,6 +280,9 @@ mod tests {
         assert_eq!(text(Measure::Coordinate('Z', -0.000_04), Unit::Millimetre), "Z0");
         let depth = Label { name: "Δd", value: Some(Measure::Length(2.0)) };
         assert_eq!(depth.text(Unit::Millimetre), "Δd = 2");
+        // 0.7 · √10 = 2.2136
+        let tenth = Label { name: "Δd", value: Some(Measure::Root(10, 2.213_594)) };
+        assert_eq!(tenth.text(Unit::Millimetre), "Δd√10 = 2.214");
         assert_eq!(Label { name: "A′", value: None }.text(Unit::Millimetre), "A′");
     }
 }

@@ -13,6 +13,12 @@ use crate::machine::region::Region;
 const CELL: f64 = 4.0;
 /// Maximum number of strokes that are entered; in a picture with more, labels may cover some.
 const MAX_STROKES: usize = 50_000;
+/// Maximum number of straight strokes that are compared with a line.
+const MAX_STRAIGHT: usize = 5_000;
+/// A line this near to a stroke is drawn over it, CSS pixels.
+const ALONG: f64 = 1.5;
+/// Least length of a piece of a line, CSS pixels.
+const LEAST_PIECE: f64 = 2.0;
 
 /// A rectangle, CSS pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +61,8 @@ pub struct Occupied {
     columns: usize,
     rows: usize,
     cells: Vec<bool>,
+    /// The straight strokes.
+    straight: Vec<[Pixel; 2]>,
 }
 
 impl Occupied {
@@ -92,7 +100,7 @@ impl Occupied {
     fn empty(camera: &Camera) -> Self {
         let Size { width, height } = camera.size();
         let [columns, rows] = [width, height].map(|length| (length / CELL).ceil() as usize + 1);
-        Self { columns, rows, cells: vec![false; columns * rows] }
+        Self { columns, rows, cells: vec![false; columns * rows], straight: Vec::new() }
     }
 
     /// Whether nothing is drawn in an area.
@@ -111,6 +119,43 @@ impl Occupied {
             all += 1;
         }
         2 * drawn >= all && drawn > 0
+    }
+
+    /// The pieces of a straight line that are not drawn over a straight stroke: over a dashed stroke, the line would
+    /// fill its gaps.
+    pub fn beside_strokes(&self, line: [Pixel; 2]) -> Vec<[Pixel; 2]> {
+        let [from, to] = line;
+        let length = from.distance(to);
+        if length < LEAST_PIECE {
+            return Vec::new();
+        }
+        let unit = Pixel::new((to.x - from.x) / length, (to.y - from.y) / length);
+        // Along the line, and across it.
+        let place = |at: Pixel| {
+            let (x, y) = (at.x - from.x, at.y - from.y);
+            [x * unit.x + y * unit.y, x * unit.y - y * unit.x]
+        };
+        let mut covered: Vec<[f64; 2]> = Vec::new();
+        for stroke in &self.straight {
+            let [a, b] = stroke.map(place);
+            let (low, high) = (a[0].min(b[0]).max(0.0), a[0].max(b[0]).min(length));
+            if high - low < LEAST_PIECE {
+                continue;
+            }
+            let across = |along: f64| a[1] + (along - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+            if across(low).abs() < ALONG && across(high).abs() < ALONG {
+                covered.push([low, high]);
+            }
+        }
+        covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let (mut pieces, mut end) = (Vec::new(), 0.0);
+        for [low, high] in covered.into_iter().chain([[length; 2]]) {
+            if low - end >= LEAST_PIECE {
+                pieces.push([end, low].map(|along| Pixel::at_share(line, along / length)));
+            }
+            end = f64::max(end, high);
+        }
+        pieces
     }
 
     /// The cells of the picture along a line, at steps of a length, CSS pixels; a cell may be repeated.
@@ -140,7 +185,13 @@ impl Occupied {
     fn shape(&mut self, shape: &StrokeShape, camera: &Camera) {
         let screen = |at: Point| camera.to_screen(at);
         match shape {
-            StrokeShape::Line { from, to } => self.line(screen(*from), screen(*to)),
+            StrokeShape::Line { from, to } => {
+                let ends = [screen(*from), screen(*to)];
+                self.line(ends[0], ends[1]);
+                if self.straight.len() < MAX_STRAIGHT {
+                    self.straight.push(ends);
+                }
+            }
             StrokeShape::Dot(at) => self.line(screen(*at), screen(*at)),
             StrokeShape::Arc(_) => {
                 let points: Vec<Pixel> =
@@ -180,4 +231,36 @@ fn clipped(from: Pixel, to: Pixel, [width, height]: [f64; 2]) -> Option<[Pixel; 
         leave = f64::min(leave, a.max(b));
     }
     (enter <= leave).then(|| [enter, leave].map(|share| Pixel::at_share([from, to], share)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::camera::XPlus;
+    use super::*;
+    use crate::geometry::bounds::Bounds;
+
+    /// A rapid from Z10 to Z60 at X20: a line at X20 from Z0 to Z100 keeps 10 mm before it and 40 mm after it. A line
+    /// across the rapid, and a line 5 mm beside it, are whole.
+    #[test]
+    fn a_line_along_a_stroke_is_left_out() {
+        let bounds = Bounds::around(Point::new(0.0, 0.0), Point::new(100.0, 100.0));
+        let camera = Camera::fit_with(bounds, Size { width: 600.0, height: 600.0 }, XPlus::Up);
+        let mut map = Occupied::empty(&camera);
+        let rapid = StrokeShape::Line { from: Point::new(20.0, 60.0), to: Point::new(20.0, 10.0) };
+        map.shape(&rapid, &camera);
+        let pieces = |ends: [(f64, f64); 2]| -> Vec<f64> {
+            let line = ends.map(|(x, z)| camera.to_screen(Point::new(x, z)));
+            let all = map.beside_strokes(line).into_iter();
+            all.map(|[a, b]| a.distance(b) / camera.scale()).collect()
+        };
+        let is = |found: Vec<f64>, expected: &[f64]| {
+            let same = found.len() == expected.len()
+                && found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-6);
+            assert!(same, "{found:?}, not {expected:?}");
+        };
+        is(pieces([(20.0, 0.0), (20.0, 100.0)]), &[10.0, 40.0]);
+        is(pieces([(20.0, 20.0), (20.0, 50.0)]), &[]);
+        is(pieces([(0.0, 30.0), (50.0, 30.0)]), &[50.0]);
+        is(pieces([(25.0, 0.0), (25.0, 100.0)]), &[100.0]);
+    }
 }

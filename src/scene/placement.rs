@@ -8,6 +8,7 @@
 
 use super::annotation::{Annotation, Detail, Importance, Shape};
 use super::camera::{Camera, Pixel};
+use super::hatch::hatch;
 use super::occupied::{Occupied, Rectangle};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, SAME, within};
@@ -32,6 +33,8 @@ const OUTSIDE: usize = 4;
 const MOVED: usize = 12;
 /// A label at most this far from its dimension line, stroke or point needs no leader line, CSS pixels.
 const ADJACENT: f64 = 6.0;
+/// A leader line longer than this is replaced by a number with a row, if there is room, CSS pixels: 15 mm on paper.
+const LONG_LEADER: f64 = 15.0 / 25.4 * 96.0;
 /// Length of an extension line beyond its dimension line, and its distance from the point.
 const BEYOND: f64 = 4.0;
 const GAP: f64 = 2.0;
@@ -70,6 +73,10 @@ pub struct PlacedLabel {
 pub struct Placed {
     /// Thin lines.
     pub lines: Vec<Vec<Pixel>>,
+    /// Thick lines: the edges of the part in details.
+    pub edges: Vec<Vec<Pixel>>,
+    /// Hatching of the part in details.
+    pub hatch: Vec<[Pixel; 2]>,
     /// Arrow heads, tip first.
     pub heads: Vec<[Pixel; 3]>,
     /// Dots of named points.
@@ -122,16 +129,20 @@ fn place_in(
         rows: Vec::new(),
         placed: Placed::default(),
     };
+    let mut all: Vec<&Annotation> = annotations.iter().collect();
     // Outlines have a fixed place. Details need the largest areas.
     for annotation in annotations {
         match &annotation.shape {
             Shape::Outline(corners) => placing.add_outline(corners),
-            Shape::Detail(detail) => placing.add_detail(detail),
+            // Without room, its dimensions are at their true places.
+            Shape::Detail(detail) if !placing.add_detail(detail) => {
+                all.extend(detail.annotations.iter().filter(|own| own.label.value.is_some()));
+            }
             _ => {}
         }
     }
     for importance in [Importance::Required, Importance::Usual, Importance::Low] {
-        for annotation in annotations.iter().filter(|annotation| annotation.importance == importance) {
+        for annotation in all.iter().filter(|annotation| annotation.importance == importance) {
             placing.add(annotation);
         }
     }
@@ -196,16 +207,24 @@ impl Placing<'_> {
                 false => self.placed.omitted.push(text),
             };
         }
-        if let Some(candidate) = self.found(&annotation.shape, size) {
+        if let Some(candidate) = self.found(&annotation.shape, size, LONG_LEADER) {
             return self.draw(candidate, text);
         }
-        let number = (self.rows.len() + 1).to_string();
+        // A name is as short as its number would be.
+        if annotation.label.value.is_some() && self.has_room_for_row(&text) {
+            let number = self.next_number();
+            if let Some(candidate) = self.found(&annotation.shape, size_of(&number), LONG_LEADER) {
+                return self.draw_number(candidate, number, &text);
+            }
+        }
+        if let Some(candidate) = self.found(&annotation.shape, size, f64::INFINITY) {
+            return self.draw(candidate, text);
+        }
+        let number = self.next_number();
         if !text.is_empty()
-            && let Some(candidate) = self.found(&annotation.shape, size_of(&number))
+            && let Some(candidate) = self.found(&annotation.shape, size_of(&number), f64::INFINITY)
         {
-            self.draw(candidate, number.clone());
-            self.rows.push((format!("{number}: {text}"), self.placed.labels.len() - 1));
-            return;
+            return self.draw_number(candidate, number, &text);
         }
         let Candidates { full, notes } = self.candidates(&annotation.shape, size);
         let first = full.into_iter().chain(notes).next();
@@ -215,10 +234,31 @@ impl Placing<'_> {
         }
     }
 
+    /// The number of the next row; with its sign it is no number of a pass.
+    fn next_number(&self) -> String {
+        format!("*{}", self.rows.len() + 1)
+    }
+
+    /// Draws an annotation with a number, whose text is in a row.
+    fn draw_number(&mut self, candidate: Candidate, number: String, text: &str) {
+        let row = row_of(&number, text);
+        self.draw(candidate, number);
+        self.rows.push((row, self.placed.labels.len() - 1));
+    }
+
+    /// Whether the texts of all numbers and one more text have room.
+    fn has_room_for_row(&self, text: &str) -> bool {
+        let row = (row_of(&self.next_number(), text), 0);
+        let rows: Vec<(String, usize)> = self.rows.iter().cloned().chain([row]).collect();
+        self.free_block(&rows).is_some()
+    }
+
     /// The best way to draw an annotation with a label of a size: as a dimension, if necessary with a leader line to
-    /// its label; otherwise as a note.
-    fn found(&self, shape: &Shape, size: [f64; 2]) -> Option<Candidate> {
+    /// its label; otherwise as a note. `longest`: of a leader line, CSS pixels; if it is limited, a dimension does not
+    /// become a note.
+    fn found(&self, shape: &Shape, size: [f64; 2], longest: f64) -> Option<Candidate> {
         let Candidates { full, notes } = self.candidates(shape, size);
+        let notes = if longest.is_finite() && !full.is_empty() { Vec::new() } else { notes };
         [full, notes].into_iter().find_map(|candidates| {
             let possible = |is_strict: bool| {
                 candidates.iter().position(|candidate| {
@@ -228,7 +268,8 @@ impl Placing<'_> {
             match possible(true).or_else(|| possible(false)) {
                 Some(index) => candidates.into_iter().nth(index),
                 None => {
-                    candidates.into_iter().take(MOVED).find_map(|candidate| self.with_leader(candidate, size))
+                    let mut moved = candidates.into_iter().take(MOVED);
+                    moved.find_map(|candidate| self.with_leader(candidate, size, longest))
                 }
             }
         })
@@ -239,7 +280,15 @@ impl Placing<'_> {
         self.dimension_lines.extend(lines.iter().cloned());
         self.extensions.extend(extensions.iter().cloned());
         self.placed.lines.extend(lines);
-        self.placed.lines.extend(extensions);
+        for line in extensions {
+            match ends_of(&line) {
+                Some(ends) => {
+                    let pieces = self.occupied.beside_strokes(ends).into_iter();
+                    self.placed.lines.extend(pieces.map(|piece| piece.to_vec()));
+                }
+                None => self.placed.lines.push(line),
+            }
+        }
         self.placed.heads.extend(heads);
         self.placed.dots.extend(dots);
         if !text.is_empty() {
@@ -324,7 +373,8 @@ impl Placing<'_> {
     fn is_free(&self, area: &Rectangle) -> bool {
         self.is_inside(area)
             && !self.placed.labels.iter().any(|label| label.area.overlaps(area))
-            && !self.placed.lines.iter().any(|line| crosses(line, area))
+            && !self.placed.lines.iter().chain(&self.placed.edges).any(|line| crosses(line, area))
+            && !self.placed.hatch.iter().any(|line| crosses(line, area))
             && self.occupied.is_free(area)
     }
 
@@ -374,8 +424,9 @@ impl Placing<'_> {
         self.placed.lines.push(closed.map(|at| self.camera.to_screen(*at)).collect());
     }
 
-    /// A circle around the detail, and its drawing in a free area, at the largest scale that fits.
-    fn add_detail(&mut self, detail: &Detail) {
+    /// A circle around the detail, and its drawing in a free area, at the largest scale that fits. Returns whether one
+    /// fits.
+    fn add_detail(&mut self, detail: &Detail) -> bool {
         let middle = self.camera.to_screen(detail.at);
         let radius = (detail.radius * self.camera.scale()).max(LEAST_CIRCLE);
         let circle = (0..=32).map(|step| {
@@ -385,8 +436,8 @@ impl Placing<'_> {
         self.placed.lines.push(circle.collect());
         let mut sizes = detail_sizes(detail, self.camera.scale());
         let Some((scale, area)) = sizes.find_map(|(scale, size)| Some((scale, self.free_area(size)?))) else {
-            self.placed.omitted.push(DETAIL_NAME.to_owned());
-            return;
+            self.placed.lines.pop();
+            return false;
         };
         let mut camera = *self.camera;
         camera.zoom(scale, camera.to_screen(detail.at));
@@ -394,9 +445,13 @@ impl Placing<'_> {
         let middle = Point::new((min.x + max.x) / 2.0, (min.z + max.z) / 2.0);
         let (from, to) = (camera.to_screen(middle), area.middle());
         camera.pan(to.x - from.x, to.y - from.y);
-        let screen = |line: &Vec<Point>| line.iter().map(|at| camera.to_screen(*at)).collect();
-        let lines: Vec<Vec<Pixel>> = detail.lines.iter().map(screen).collect();
-        let occupied = Occupied::of_lines(&lines, &camera);
+        let on_screen = |lines: &[Vec<Point>]| -> Vec<Vec<Pixel>> {
+            let line = |line: &Vec<Point>| line.iter().map(|at| camera.to_screen(*at)).collect();
+            lines.iter().map(line).collect()
+        };
+        let [lines, edges, part] = [&detail.lines, &detail.edges, &detail.part].map(|own| on_screen(own));
+        let hatch = hatch(&part, camera.to_screen(detail.at), camera.size());
+        let occupied = Occupied::of_lines(&[&lines[..], &edges[..]].concat(), &camera);
         // Below its title.
         let room = Rectangle { min: Pixel::new(area.min.x, area.min.y + LABEL_HEIGHT), max: area.max };
         let mut placed = place_in(room, &detail.annotations, &occupied, &camera, self.unit);
@@ -405,11 +460,14 @@ impl Placing<'_> {
         let title = Rectangle::around(Pixel::new(area.middle().x, area.min.y + height / 2.0), width, height);
         placed.labels.push(PlacedLabel { text, area: title });
         self.placed.lines.extend(lines.into_iter().chain(placed.lines));
+        self.placed.edges.extend(edges);
+        self.placed.hatch.extend(hatch);
         self.placed.heads.extend(placed.heads);
         self.placed.dots.extend(placed.dots);
         self.placed.labels.extend(placed.labels);
         self.placed.omitted.extend(placed.omitted);
         self.add(&Annotation::note(detail.at, DETAIL_NAME));
+        true
     }
 
     /// A free area of a size: from the lower right corner to the left and up.
@@ -481,7 +539,7 @@ impl Placing<'_> {
 
     /// A candidate with its label at the nearest free place, and a leader line from its dimension line, stroke or
     /// point to the label.
-    fn with_leader(&self, candidate: Candidate, size: [f64; 2]) -> Option<Candidate> {
+    fn with_leader(&self, candidate: Candidate, size: [f64; 2], longest: f64) -> Option<Candidate> {
         // The gap for the label is closed.
         let lines = match &candidate.lines[..] {
             [first, last] => vec![vec![*first.first()?, *last.last()?]],
@@ -497,17 +555,18 @@ impl Placing<'_> {
         if !self.has_free_lines(&candidate) {
             return None;
         }
-        let (area, leader) = self.nearest_free(&candidate, feature, size)?;
+        let (area, leader) = self.nearest_free(&candidate, feature, size, longest)?;
         Some(Candidate { lines: [candidate.lines, leader].concat(), area, ..candidate })
     }
 
     /// The free area for a label that is nearest to its usual place, and the leader line to it from `feature`, if one is
-    /// needed.
+    /// needed. `longest`: of the leader line, CSS pixels.
     fn nearest_free(
         &self,
         candidate: &Candidate,
         feature: [Pixel; 2],
         size: [f64; 2],
+        longest: f64,
     ) -> Option<(Rectangle, Vec<Vec<Pixel>>)> {
         let usual = candidate.area.middle();
         let own = || candidate.lines.iter().chain(&candidate.extensions);
@@ -527,7 +586,8 @@ impl Placing<'_> {
                     return is_possible.then(|| (area, Vec::new()));
                 }
                 let line = leader.to_vec();
-                let is_clear = is_slanted(leader)
+                let is_clear = length <= longest
+                    && is_slanted(leader)
                     && !self.meet_label(std::iter::once(&line))
                     && !own().any(|other| do_cross(&line, other));
                 is_clear.then(|| (area, vec![line]))
@@ -560,7 +620,9 @@ pub fn detail_sizes(detail: &Detail, scale: f64) -> impl Iterator<Item = (f64, [
 }
 
 fn bounds_of(detail: &Detail) -> Bounds {
-    detail.lines.iter().flatten().fold(Bounds::of(detail.at), |bounds, at| bounds.with(*at))
+    let Detail { lines, edges, part, .. } = detail;
+    let corners = [lines, edges, part].into_iter().flatten().flatten();
+    corners.fold(Bounds::of(detail.at), |bounds, at| bounds.with(*at))
 }
 
 /// The middle of a label that begins where a line in the direction `towards` ends.
@@ -569,6 +631,11 @@ fn beyond(end: Pixel, towards: Pixel, [width, height]: [f64; 2]) -> Pixel {
     let up = (height / 2.0 + 2.0) / towards.y.abs().max(1e-6);
     let reach = across.min(up);
     Pixel::new(end.x + reach * towards.x, end.y + reach * towards.y)
+}
+
+/// The row of a number with its text.
+fn row_of(number: &str, text: &str) -> String {
+    format!("{number}: {text}")
 }
 
 /// Width and height of the label of a text, CSS pixels.
@@ -580,7 +647,8 @@ fn size_of(text: &str) -> [f64; 2] {
 fn around_point(at: Pixel, size: [f64; 2], dot: bool) -> Vec<Candidate> {
     let mut all = Vec::new();
     for distance in [BESIDE, 2.0 * BESIDE, 3.5 * BESIDE] {
-        for degrees in [45.0, 135.0, 315.0, 225.0, 90.0, 0.0, 180.0, 270.0f64] {
+        // Above and below a point there are extension lines.
+        for degrees in [45.0, 135.0, 315.0, 225.0, 0.0, 180.0, 90.0, 270.0f64] {
             let (sin, cos) = degrees.to_radians().sin_cos();
             let middle = Pixel::new(
                 at.x + cos * (distance + size[0] / 2.0 - 8.0),

@@ -26,9 +26,15 @@ impl Painter {
         let occupied = Occupied::of(scene, camera, scene.strokes().map(|stroke| stroke.drawn_shape()));
         let placed = place(annotations, &occupied, camera, view.scale.unit);
         pen.page(view)?;
-        let lines: Vec<Piece> =
-            placed.lines.iter().flat_map(|line| super::clip::polyline(line, camera.size())).collect();
-        pen.polylines(colour, &lines, 1.0, Dash::Solid)?;
+        let clipped = |lines: &[Vec<Pixel>]| -> Vec<Piece> {
+            lines.iter().flat_map(|line| super::clip::polyline(line, camera.size())).collect()
+        };
+        let part = &view.palette.part_edge;
+        pen.opacity(0.35);
+        pen.lines(part, 1.0, placed.hatch.iter().copied());
+        pen.opacity(1.0);
+        pen.polylines(part, &clipped(&placed.edges), 1.5, Dash::Solid)?;
+        pen.polylines(colour, &clipped(&placed.lines), 1.0, Dash::Solid)?;
         pen.fill(colour, placed.heads.iter().map(|head| &head[..]));
         pen.dots(colour, placed.dots.iter().copied(), 3.0)?;
         let font = format!("600 {FONT_SIZE}px system-ui, sans-serif");

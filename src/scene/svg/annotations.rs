@@ -49,6 +49,13 @@ impl Drawing {
             let _ = write!(heads, "M{x} {y}a3 3 0 1 0 6 0a3 3 0 1 0 -6 0");
         }
         self.line(r#"<g class="annotations">"#);
+        let hatch: String =
+            placed.hatch.iter().map(|[a, b]| format!("M{}L{}", pixel(*a), pixel(*b))).collect();
+        for (class, d) in [("hatch", hatch), ("part-edge", polylines(&placed.edges, ""))] {
+            if !d.is_empty() {
+                self.line(&format!(r#"<path class="{class}" d="{d}"/>"#));
+            }
+        }
         self.line(&format!(r#"<path class="dimension" d="{}"/>"#, polylines(&placed.lines, "")));
         if !heads.is_empty() {
             self.line(&format!(r#"<path class="head" d="{heads}"/>"#));
