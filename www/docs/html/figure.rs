@@ -45,14 +45,12 @@ pub fn draw(program: &Path, setup: &str, kind: &str, language: Language) -> Resu
     } else if kind == "side" {
         let side = Side::of(motions, &simulation).ok_or("nothing is milled on the side")?;
         let work = side.work(&simulation, None);
-        let options = SvgOptions { caption: None, ..options };
         (svg(&side.moves().scene(work.as_ref()), &options), true)
     } else if kind == "face" {
         let face = Face::of(motions, &simulation).ok_or("nothing is milled on the end face")?;
         let work = face.work(&simulation, None);
         let annotations = figures::of_face(face.moves());
-        let options =
-            SvgOptions { annotations, caption: None, x_plus: SvgOptions::default().x_plus, ..options };
+        let options = SvgOptions { annotations, x_plus: SvgOptions::default().x_plus, ..options };
         (svg(&face.moves().scene(work.as_ref()), &options), true)
     } else {
         let options = Subject::parse(kind)?.options(options, finished, &simulation, motions);
