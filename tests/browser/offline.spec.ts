@@ -52,9 +52,29 @@ async function closed(page: Page): Promise<void> {
   await expect(page.getByRole('dialog')).toHaveCount(0);
 }
 
+/** Waits until exactly these packs with pages in a language are stored. */
+async function expectPacks(page: Page, packs: readonly string[]): Promise<void> {
+  const stored = (): Promise<string[]> =>
+    page.evaluate(async () => {
+      const all = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
+      const names = all.flat().map(({ url }) => /offline\/((?:manual|rules)-(?:en|zh|ru))\.json$/.exec(url)?.[1]);
+      return names.filter((name) => name !== undefined).sort();
+    });
+  await expect.poll(stored).toEqual(packs);
+}
+
 test('after the first visit everything works without a network', async ({ page }) => {
   const site = await storedSite();
   await visitAndStore(page, site);
+  // The language of the browser is stored; others are once the page, or a page of the manual, is opened in them.
+  await expectPacks(page, ['manual-en', 'rules-en']);
+  await chooseLanguage(page, 'ru');
+  await expectPacks(page, ['manual-en', 'manual-ru', 'rules-en', 'rules-ru']);
+  await chooseLanguage(page, 'en');
+  await page.goto(`${site.address}manual/zh/index.html`);
+  await expectPacks(page, ['manual-en', 'manual-ru', 'manual-zh', 'rules-en', 'rules-ru', 'rules-zh']);
+  await page.goBack();
+  await expectStored(page);
   await site.stop();
 
   await test.step('reload', async () => {

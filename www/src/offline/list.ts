@@ -14,14 +14,24 @@ export interface BuildManifest {
 }
 
 /** Folders whose files are stored in one pack: a thousand small pages would be a thousand requests. */
-const PACKED_FOLDERS = /^(docs|examples|manual|rules\/(?:en|zh|ru|pictures))\//;
+const PACKED_FOLDERS = /^(docs|examples|manual\/(?:en|zh|ru)|manual|rules\/(?:en|zh|ru|pictures))\//;
+/** A figure of the manual, which has words in its language. */
+const FIGURE = /^manual\/figures\/.*-(en|zh|ru)\.svg$/;
+/** A pack with pages in one language. */
+const PACK_OF_LANGUAGE = /^offline\/(?:manual|rules)-(en|zh|ru)\.json$/;
 /** Folders of files that may belong to another version. */
 const PAGE_FOLDERS = /^(assets|docs|examples|icons|manual|offline|rules)\//;
 
 /** The pack that contains a file; undefined if the file is stored separately. */
 export function packOf(path: string): string | undefined {
-  const folder = PACKED_FOLDERS.exec(path)?.[1];
+  const language = FIGURE.exec(path)?.[1];
+  const folder = language === undefined ? PACKED_FOLDERS.exec(path)?.[1] : `manual/${language}`;
   return folder === undefined ? undefined : `offline/${folder.replace('/', '-')}.json`;
+}
+
+/** The language of the pages in a pack; undefined for a file that every reader needs. */
+export function languageOfPack(name: string): string | undefined {
+  return PACK_OF_LANGUAGE.exec(name)?.[1];
 }
 
 /** The path of a file of the page, by its address; undefined if it cannot be one. */

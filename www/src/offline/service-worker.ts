@@ -4,9 +4,17 @@
 // listed come from the network. A new version waits until the user accepts it. Only the page registers the worker,
 // never the element in another site. Must not know: the contents of a file.
 
-import { pathOf, type BuildManifest } from './list';
-import { TAKE_OVER } from './take-over';
-import { assignMissingVersions, assignVersion, versionOfTab, storeBuild, findFile, deleteUnusedCaches } from './stores';
+import { languageOfPack, packOf, pathOf, type BuildManifest } from './list';
+import { TAKE_OVER, type StoreLanguage } from './messages';
+import {
+  assignMissingVersions,
+  assignVersion,
+  deleteUnusedCaches,
+  findFile,
+  storeBuild,
+  storeLanguage,
+  versionOfTab,
+} from './stores';
 
 declare const self: ServiceWorkerGlobalScope;
 /** Inserted by the build. */
@@ -14,12 +22,15 @@ declare const BUILD_MANIFEST: BuildManifest;
 
 const MANIFEST = BUILD_MANIFEST;
 
-self.addEventListener('install', (event) => event.waitUntil(storeBuild(MANIFEST)));
+// The page tells the reader's language after its first picture, if it is another one.
+self.addEventListener('install', (event) => event.waitUntil(storeBuild(MANIFEST, self.navigator.language.slice(0, 2))));
 
 self.addEventListener('activate', (event) => event.waitUntil(activate()));
 
-self.addEventListener('message', ({ data }) => {
+self.addEventListener('message', (event) => {
+  const data = event.data as typeof TAKE_OVER | StoreLanguage;
   if (data === TAKE_OVER) void self.skipWaiting();
+  else event.waitUntil(storeLanguage(MANIFEST, data.language).catch(() => undefined));
 });
 
 self.addEventListener('fetch', (event) => {
@@ -45,6 +56,10 @@ async function answer(event: FetchEvent, path: string): Promise<Response> {
   }
   const version =
     isNavigation || clientId === '' ? MANIFEST.version : ((await versionOfTab(clientId)) ?? MANIFEST.version);
-  // A browser that is low on storage may have deleted files.
-  return (await findFile(path, version)) ?? fetch(request);
+  const found = await findFile(path, version);
+  if (found !== undefined) return found;
+  // The first page in another language. A browser that is low on storage may also have deleted files.
+  const language = languageOfPack(packOf(path) ?? '');
+  if (language !== undefined) event.waitUntil(storeLanguage(MANIFEST, language).catch(() => undefined));
+  return fetch(request);
 }

@@ -4,7 +4,7 @@
 // an update, or of a network with a login page, are rejected. A cache is deleted once no tab needs it. Must not know:
 // who requests a file.
 
-import { packOf, typeOf, type BuildManifest } from './list';
+import { languageOfPack, packOf, typeOf, type BuildManifest } from './list';
 
 declare const self: ServiceWorkerGlobalScope;
 
@@ -36,8 +36,11 @@ async function storedVersions(): Promise<string[]> {
     .map((name) => name.slice(CACHE_PREFIX.length));
 }
 
-/** Stores a build. Unchanged files are copied from earlier versions, not fetched again. */
-export async function storeBuild({ version, files, entry }: BuildManifest): Promise<void> {
+/**
+ * Stores a build: the files that every reader needs, the pages in a language, and those in languages that are stored
+ * already. Unchanged files are copied from earlier versions, not fetched again.
+ */
+export async function storeBuild({ version, files, entry }: BuildManifest, language: string): Promise<void> {
   const cache = await openCache(version);
   const storedAddresses = new Set((await cache.keys()).map(({ url }) => url));
   const earlier = await Promise.all(
@@ -45,7 +48,11 @@ export async function storeBuild({ version, files, entry }: BuildManifest): Prom
       .filter((other) => other !== version)
       .map(async (other) => ({ store: await openCache(other), files: await filesOf(other) })),
   );
-  const missing = Object.entries(files).filter(([path]) => !storedAddresses.has(address(path)));
+  const packsBefore = await Promise.all(earlier.map(({ store }) => store.keys()));
+  const before = new Set(packsBefore.flat().map(({ url }) => url));
+  const isWanted = (path: string): boolean =>
+    [undefined, language].includes(languageOfPack(path)) || before.has(address(path));
+  const missing = Object.entries(files).filter(([path]) => isWanted(path) && !storedAddresses.has(address(path)));
   const copy = async (path: string, hash: string): Promise<Response | undefined> => {
     const other = earlier.find(({ files }) => files[path] === hash);
     return other?.store.match(address(path));
@@ -58,6 +65,16 @@ export async function storeBuild({ version, files, entry }: BuildManifest): Prom
   };
   await Promise.all(Array.from({ length: MAX_PARALLEL_REQUESTS }, storeNext));
   await cache.put(address(FILE_LIST), new Response(JSON.stringify(files)));
+}
+
+/** Stores the packs of a language, if they are not stored yet. */
+export async function storeLanguage({ version, files, entry }: BuildManifest, language: string): Promise<void> {
+  const cache = await openCache(version);
+  for (const [path, hash] of Object.entries(files)) {
+    if (languageOfPack(path) !== language || (await cache.match(address(path))) !== undefined) continue;
+    await cache.put(address(path), await fetchListed(path, hash, entry));
+    packs.delete(keyOf(path, version));
+  }
 }
 
 async function filesOf(version: string): Promise<Files> {
@@ -122,11 +139,13 @@ async function findIn(path: string, version: string): Promise<Response | undefin
     : new Response(text, { headers: headers(found.response, path) });
 }
 
+const keyOf = (pack: string, version: string): string => `${version} ${pack}`;
+
 function readPack(
   name: string,
   version: string,
 ): Promise<{ readonly pack: Pack; readonly response: Response } | undefined> {
-  const key = `${version} ${name}`;
+  const key = keyOf(name, version);
   const cached = packs.get(key);
   if (cached !== undefined) return cached;
   const reading = (async () => {

@@ -9,7 +9,7 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { menuItem } from '../dom/menu';
 import { words } from '../dom/words';
-import { TAKE_OVER } from '../offline/take-over';
+import { TAKE_OVER, type StoreLanguage } from '../offline/messages';
 import type { GcodePlayground } from '../shell/element';
 import { find } from './find';
 import './offline.css';
@@ -75,6 +75,13 @@ export class Offline {
     this.#status.textContent = this.#announcement.textContent = text;
     this.#status.dataset['state'] = this.#state;
     this.#status.title = this.#state === 'stored' ? `${text}. ${texts.storedHint}` : text;
+    if (this.#state === 'stored') this.#storeLanguage();
+  }
+
+  /** Stores the pages of the manual and of the rules in the reader's language. */
+  #storeLanguage(): void {
+    const message: StoreLanguage = { kind: 'store-language', language: this.#host.language };
+    this.#registration?.active?.postMessage(message);
   }
 
   async #register(container: ServiceWorkerContainer): Promise<void> {
