@@ -38,7 +38,7 @@ const BELOW: [(&str, f64, &str); 14] = [
     ("missing F", 87.0, "the F before it is still in force"),
     ("missing S", 90.0, "the S before it is still in force"),
     ("start inside the stock", 92.0, "in front of the work a smaller cut may begin there"),
-    ("spindle too fast for the lead", 86.0, "the rule of thumb is for passes, not for taps"),
+    ("spindle too fast for the lead", 85.0, "the rule of thumb is for passes, not for taps"),
     ("passes of a thread exchanged", 92.0, "of several starts the order may be meant"),
     ("start angle lost", 79.0, "before another start has shown, it is a spring pass"),
     ("pass ten times as deep", 90.0, "where a taper no longer fits, R or X may be wrong: R is marked"),

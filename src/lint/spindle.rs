@@ -40,8 +40,8 @@ struct StoppedMove {
     block: Span,
     /// The words of the block.
     words: Span,
-    /// Whether a speed is active, with which the spindle could turn.
-    has_speed: bool,
+    /// Whether M03 is the missing code: a speed is active, and no tap is turned out.
+    starts_forward: bool,
 }
 
 /// G96 without a highest speed.
@@ -132,6 +132,12 @@ impl Spindle {
         reports: &mut Vec<Diagnostic>,
     ) {
         self.cut(block, feed_mode_named, at, reports);
+        // After M05 in a thread, M04 may be missing: a tap is turned out.
+        if at.state.spindle.is_stopped
+            && let Some(still) = self.stopped_move.as_mut().filter(|still| still.block == block.span)
+        {
+            still.starts_forward = false;
+        }
         if self.held == Some(ORIENTATION) && at.state.spindle.turn != SpindleTurn::Stopped {
             self.cut_while_stopped(block, at, reports);
         }
@@ -151,8 +157,8 @@ impl Spindle {
         if self.may_be_driven(at) || !self.stopped.mark_reported() {
             return;
         }
-        let has_speed = at.state.spindle.rpm > 0.0 || at.state.spindle.cutting_speed > 0.0;
-        let still = StoppedMove { block: block.span, words: block.words_span(), has_speed };
+        let starts_forward = at.state.spindle.rpm > 0.0 || at.state.spindle.cutting_speed > 0.0;
+        let still = StoppedMove { block: block.span, words: block.words_span(), starts_forward };
         match at.contour {
             None => self.stopped_move = Some(still),
             // State stored while a contour is read is discarded, so the move is reported now.
@@ -363,7 +369,7 @@ impl StoppedMove {
     #[cold]
     fn message(self) -> Diagnostic {
         // With M03 alone the speed would be missing next.
-        let fix = self.has_speed.then(|| Fix::insert(self.block.start, "M03\n".to_owned()));
+        let fix = self.starts_forward.then(|| Fix::insert(self.block.start, "M03\n".to_owned()));
         let diagnostic = Diagnostic::new(said::SpindleStopped, self.words);
         Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic }
     }

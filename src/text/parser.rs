@@ -791,6 +791,11 @@ impl<'a> Parser<'a> {
             let whole = Fix::write(span, written.replace([',', '，'], ""));
             return block.fault(diagnostic.with(Fix { safe: false, ..point }).with(whole));
         }
+        // `X40 ,2` may be `X40 ,C2` without its letter.
+        let before = self.lexer.text()[..comma.start as usize].last();
+        if before.is_some_and(u8::is_ascii_whitespace) {
+            return block.fault(diagnostic.with(Fix { safe: false, ..point }));
+        }
         block.fault(diagnostic.with(point));
         self.store(block, word.address, word.comma, word.negative, number, span);
     }
