@@ -274,7 +274,7 @@ export async function ready(steps: readonly Step[], to: 'click' | 'hover'): Prom
 /** Events of a click, in their order. */
 const CLICK_EVENTS = ['pointerdown', 'mousedown', 'pointerup', 'mouseup', 'click'] as const;
 
-let watched: { arrived: boolean; readonly stop: () => void } | undefined;
+let watched: { arrived: boolean; missed: boolean; readonly stop: () => void } | undefined;
 
 /**
  * Watches the next click, as Playwright does: if the layout has changed and the press meets another element than the
@@ -294,6 +294,7 @@ export function watchClick(steps: readonly Step[]): void {
       isMissed = !isHit(event);
       // A button that acts on the press and disappears gets no `click`.
       own.arrived = !isMissed;
+      own.missed = isMissed;
     }
     if (!isMissed) return;
     event.preventDefault();
@@ -302,16 +303,20 @@ export function watchClick(steps: readonly Step[]): void {
   const stop = (): void => {
     for (const type of CLICK_EVENTS) removeEventListener(type, watch, { capture: true });
   };
-  const own = { arrived: false, stop };
+  const own = { arrived: false, missed: false, stop };
   for (const type of CLICK_EVENTS) addEventListener(type, watch, { capture: true });
   watched = own;
 }
 
-/** Whether the watched click has arrived at its element; waits half a second for it. */
+/**
+ * Whether the watched click has arrived at its element. A press may take seconds to arrive on a busy machine, and a second
+ * one would undo it: close a menu, for example.
+ */
 export async function clickArrived(): Promise<boolean> {
   const own = watched;
   if (own === undefined) return true;
-  for (let tries = 0; tries < 30 && !own.arrived; tries++) await new Promise((done) => setTimeout(done, 16));
+  for (let tries = 0; tries < 300 && !own.arrived && !own.missed; tries++)
+    await new Promise((done) => setTimeout(done, 16));
   own.stop();
   watched = undefined;
   return own.arrived;

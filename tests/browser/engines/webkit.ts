@@ -280,7 +280,10 @@ class WebKitTab implements Tab {
       ...Array.from({ length: times }, () => once).flat(),
     );
   }
-  /** Repeats the action until an event with a distance arrives: the driver sometimes loses it. */
+  /**
+   * Repeats the action until an event with a distance arrives: the driver sometimes loses it. In some sessions it sends
+   * none at all; the event is then dispatched by a script.
+   */
   async wheel(x: number, y: number, deltaX: number, deltaY: number): Promise<void> {
     await this.evaluate(`(
       globalThis.wheelArrived ??= addEventListener(
@@ -290,7 +293,7 @@ class WebKitTab implements Tab {
       ) ?? false,
       globalThis.wheelArrived = false
     )`);
-    for (let tries = 0; tries < 8; tries++) {
+    for (let tries = 0; tries < 4; tries++) {
       await this.call('POST', '/actions', {
         actions: [{ type: 'wheel', id: 'wheel', actions: [{ type: 'scroll', x, y, deltaX, deltaY, duration: 0 }] }],
       });
@@ -299,7 +302,12 @@ class WebKitTab implements Tab {
         await pause(25);
       }
     }
-    throw new Error('no wheel event has arrived');
+    await this.evaluate(`(() => {
+      let target = document.elementFromPoint(${x}, ${y});
+      for (let inner; (inner = target?.shadowRoot?.elementFromPoint(${x}, ${y}) ?? target) !== target; ) target = inner;
+      const at = { clientX: ${x}, clientY: ${y}, deltaX: ${deltaX}, deltaY: ${deltaY} };
+      return target?.dispatchEvent(new WheelEvent('wheel', { bubbles: true, cancelable: true, composed: true, ...at }));
+    })()`);
   }
   async chooseFile(expression: string, path: string): Promise<void> {
     const input = (await this.call('POST', '/execute/sync', { script: `return ${expression}`, args: [] })) as Record<
