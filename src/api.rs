@@ -5,6 +5,7 @@
 //! contain (`tests/rooms.rs`). The TypeScript types are generated from these rows.
 
 pub mod assist;
+pub mod calculate;
 pub mod difference;
 mod inferred_stock;
 mod manual;

@@ -43,6 +43,7 @@
 
 pub mod api;
 pub mod assist;
+pub mod calculate;
 #[cfg(all(feature = "cli", any(not(target_arch = "wasm32"), feature = "npx")))]
 pub mod cli;
 pub mod control;

@@ -5,6 +5,7 @@
 //! every line end counts as one unit, as in editors. Knows no G-code.
 
 mod assist;
+mod calculate;
 mod decimal;
 mod difference;
 mod files;
@@ -406,6 +407,7 @@ entry! { Early install_early {
 entry! { Late install_late {
     install();
     assist::install();
+    calculate::install();
     decimal::install();
     difference::install();
     files::install();

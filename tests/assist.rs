@@ -4,7 +4,7 @@
 //! each mark, in three languages. `UPDATE_EXPECT=1 cargo test --test it assist::` updates them; review the
 //! difference before you commit it.
 #[path = "assist/asking.rs"]
-mod asking;
+pub mod asking;
 #[path = "assist/completion.rs"]
 mod completion;
 #[path = "assist/navigation.rs"]

@@ -26,6 +26,7 @@ mod text;
 mod texts;
 
 mod assist;
+mod calculators;
 mod check;
 mod cli;
 mod codes;

@@ -11,6 +11,8 @@
 //! * `tries`: the same after the replacements of `change`, which are exercises of the page
 //! * `task`: the same for a solution of the task of the page; the page does not show it
 
+#[path = "../www/docs/html/calculator.rs"]
+mod calculator;
 #[path = "../www/docs/html/figure.rs"]
 mod figure;
 #[path = "../www/docs/html/form.rs"]
@@ -62,12 +64,12 @@ fn examples(text: &str) -> Vec<&str> {
     between(text, "](../examples/", ")").into_iter().filter_map(|name| name.strip_suffix(".nc")).collect()
 }
 
-/// The number of paragraphs that are only a link to a program.
+/// The number of paragraphs that are only a link to a program, and of calculators.
 fn live_programs(text: &str) -> usize {
     let is_live = |one: &&str| {
         one.starts_with('[') && one.trim_end().ends_with(".nc)") && one.matches("](").count() == 1
     };
-    text.split("\n\n").filter(is_live).count()
+    text.split("\n\n").filter(is_live).count() + text.matches("{calculator ").count()
 }
 
 /// The code spans of the exercise after an example, before the next example or heading.
@@ -101,6 +103,8 @@ fn every_page_exists_in_three_languages_with_the_same_examples() {
             assert_eq!(html.matches("<gcode-playground ").count(), live_programs(&own), "{language}/{page}");
             let figures = own.matches("![").count();
             assert_eq!(html.matches("<figure>").count(), figures, "{language}/{page} has figures");
+            let formulas = [&own, &english].map(|text| text.matches("$$").count() / 2);
+            assert_eq!([html.matches("<math").count(); 2], formulas, "{language}/{page} has formulas");
             for example in examples(&own) {
                 used.insert(example.to_owned());
                 let program = source(&format!("www/manual/examples/{example}.nc"));
@@ -137,6 +141,23 @@ fn headings_have_the_anchors_of_the_english_page() {
     for language in LANGUAGES {
         let html = &files[&format!("{language}/g90.html")];
         assert!(html.contains("<h2 id=\"step-by-step\">"), "{language}");
+    }
+}
+
+/// The frame page of the package has no gallery.
+#[test]
+fn the_pages_of_the_package_link_to_programs_by_their_text() {
+    let programs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
+    let own = pages::without_page(&files(), &programs).expect("pages");
+    let linked: usize = own.values().map(|html| html.matches("index.html#program=").count()).sum();
+    assert!(linked >= 3 * 12, "{linked}");
+    for (name, html) in own.iter().filter(|(name, _)| name.ends_with(".html")) {
+        for address in between(html, "../../index.html", "\"") {
+            assert!(
+                address.starts_with("#program=") && address.contains("&amp;setup=%7B"),
+                "{name}: {address}"
+            );
+        }
     }
 }
 
@@ -190,7 +211,7 @@ fn links_between_the_pages_are_valid_and_each_page_has_its_neighbours() {
             let (path, anchor) = link.split_once('#').unwrap_or((link, ""));
             let is_valid = match path.strip_prefix("../../") {
                 // Files beside the folder of the pages.
-                Some("index.html" | "element.js") => true,
+                Some("index.html" | "element.js" | "search.js") => true,
                 Some(other) => {
                     let rule = other.strip_prefix(&format!("rules/{language}/"));
                     let slug = rule.and_then(|rule| rule.strip_suffix(".html"));

@@ -55,7 +55,7 @@ export default defineConfig({
     // A site's bundler has its own method of preloading.
     modulePreload: false,
     rollupOptions: {
-      input: { element: 'src/shell/element.ts' },
+      input: { element: 'src/shell/element.ts', search: 'src/page/manual-search.ts' },
       output: {
         entryFileNames: '[name].js',
         chunkFileNames: ({ name }) => `${NAMES[name] ?? '[name]'}.js`,

@@ -81,6 +81,10 @@ const developmentServer: Plugin = {
       response.setHeader('content-type', 'text/javascript');
       response.end("export * from '/src/shell/element.ts';");
     });
+    middlewares.use('/search.js', (_request, response) => {
+      response.setHeader('content-type', 'text/javascript');
+      response.end("import '/src/page/manual-search.ts';");
+    });
     middlewares.use((request, response, next) => {
       const path = /^\/((?:rules|docs|manual)\/[\w./-]*)/.exec(request.url ?? '')?.[1];
       if (folder === undefined || path === undefined || path.includes('..')) return next();
@@ -125,11 +129,16 @@ export default defineConfig({
         hostType === 'html' ? needed : needed.filter((each) => each !== file && isPreloaded(each, hostId)),
     },
     rollupOptions: {
-      input: { index: 'index.html', parts: 'src/page/parts.ts', element: 'src/shell/element.ts' },
+      input: {
+        index: 'index.html',
+        parts: 'src/page/parts.ts',
+        element: 'src/shell/element.ts',
+        search: 'src/page/manual-search.ts',
+      },
       // Other sites use the element, so its name is stable.
       output: {
         entryFileNames: ({ name }) =>
-          name === 'element' || name === 'parts' ? '[name].js' : 'assets/[name]-[hash].js',
+          ['element', 'parts', 'search'].includes(name) ? '[name].js' : 'assets/[name]-[hash].js',
       },
       preserveEntrySignatures: 'allow-extension',
     },

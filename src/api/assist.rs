@@ -18,11 +18,13 @@ use crate::assist::signature::{Place, WhenOmitted};
 use crate::assist::snippet::Piece;
 use crate::assist::state::{Frame, StateTable};
 use crate::assist::uses::uses;
+use crate::calculate::{Calculator, at_word};
 use crate::control::codes::{self, G, MacroCall};
 use crate::control::modal::State;
 use crate::motion::Motions;
 use crate::sentences::Language;
 use crate::sentences::assist::{Speaker, block_of};
+use crate::sentences::calculate;
 use crate::setup::dialect::CodeList;
 use crate::source::Span;
 use crate::text::program_name::is_name;
@@ -48,6 +50,18 @@ pub struct WordHelp {
     pub facts: Vec<HelpLine>,
     /// Blocks that the word refers to: pairs of UTF-16 offsets.
     pub marks: Vec<(u32, u32)>,
+    /// The calculators that fit the word.
+    pub calculators: Vec<CalculatorName>,
+}
+
+/// The name of a calculator.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct CalculatorName {
+    /// Its name.
+    pub name: &'static str,
+    /// Its title.
+    pub title: &'static str,
 }
 
 /// A sentence, and the block that it refers to.
@@ -293,7 +307,12 @@ impl Reader<'_> {
         });
         let value = hover.quantity.map(|quantity| self.speak(|speaker| speaker.quantity(quantity)));
         let value = value.filter(|value| *value != word);
-        Some(WordHelp { from, to, word, title: self.title(&hover), value, facts, marks: marks.collect() })
+        let names = at_word::calculators(asked, byte, motions).iter().copied();
+        let calculators = names
+            .filter_map(Calculator::find)
+            .map(|own| CalculatorName { name: own.name, title: calculate::title(own, self.language) });
+        let (marks, calculators) = (marks.collect(), calculators.collect());
+        Some(WordHelp { from, to, word, title: self.title(&hover), value, facts, marks, calculators })
     }
 
     /// The form of the block, with the word at a byte marked; `None` if the block has no form.

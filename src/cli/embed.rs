@@ -28,6 +28,7 @@ use crate::scene::svg::SvgOptions;
 use crate::sentences::{Language, labels};
 use crate::setup::profile;
 use crate::source::LineIndex;
+use crate::source::address::percent_encoded;
 
 /// The arguments of `embed`.
 #[derive(clap::Args)]
@@ -291,18 +292,6 @@ fn frame(host: &str, attributes: &[(String, String)], text: &str) -> String {
     format!(
         "<iframe sandbox=\"allow-scripts\" title=\"{title}\" width=\"100%\" height=\"480\"\n  src=\"{address}\">\n</iframe>\n"
     )
-}
-
-/// Percent-encodes a text for the fragment of a URL.
-fn percent_encoded(text: &str) -> String {
-    let mut encoded = String::with_capacity(2 * text.len());
-    for byte in text.bytes() {
-        match byte {
-            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' => encoded.push(byte.into()),
-            _ => encoded += &format!("%{byte:02X}"),
-        }
-    }
-    encoded
 }
 
 /// A start tag with attributes.

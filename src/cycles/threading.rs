@@ -15,10 +15,13 @@ pub fn run_out(speed: f64, lead: f64) -> f64 {
     speed * lead / 1800.0
 }
 
-/// δ1 = δ2 · (−1 − ln a): the distance in which the slide reaches the lead, mm, with an error a of 1 %.
-pub fn run_in(speed: f64, lead: f64) -> f64 {
-    3.605 * run_out(speed, lead)
+/// δ1 = δ2 · (−1 − ln a): the distance in which the slide reaches the lead, mm, except for a permitted error `a`.
+pub fn run_in(speed: f64, lead: f64, error: f64) -> f64 {
+    run_out(speed, lead) * (-1.0 - error.ln())
 }
+
+/// The usual permitted error of the lead: 1 %.
+pub const LEAD_ERROR: f64 = 0.01;
 
 /// How a thread leaves the workpiece before its end.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,7 +9,7 @@ use std::ops::Range;
 use super::NUMBERS;
 use crate::assist::Query;
 use crate::control::contour::Landmarks;
-use crate::cycles::threading::{run_in, run_out};
+use crate::cycles::threading::{LEAD_ERROR, run_in, run_out};
 use crate::geometry::{Point, at_share};
 use crate::motion::{Cycle, Motion, Motions, SpindleSpeed, Step};
 use crate::scene::annotation::{Annotation, Importance, Measure, Shape};
@@ -227,7 +227,7 @@ impl Call {
         let mut own = Vec::new();
         let out = self.step(Step::PullOut);
         if let (SpindleSpeed::Constant(speed), Some(lead)) = (cut.process.speed, cut.lead) {
-            let [first, last] = [run_in(speed, lead.abs()), run_out(speed, lead.abs())];
+            let [first, last] = [run_in(speed, lead.abs(), LEAD_ERROR), run_out(speed, lead.abs())];
             if first > SAME_DEPTH && first + last < length {
                 let until = at_share(ends, first / length);
                 own.push(Annotation::dimension(

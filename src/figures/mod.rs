@@ -32,6 +32,7 @@ use crate::motion::Motions;
 use crate::run::Run;
 use crate::run::replay::{Found, VisitChoice};
 use crate::scene::annotation::{Annotation, Importance};
+use crate::setup::Stock;
 use crate::source::LineIndex;
 use crate::text::parser::Resume;
 
@@ -100,7 +101,7 @@ pub fn of_cycle(run: &mut Run, byte: u32) -> Figure {
     }
     all.extend(call.distances(&all));
     all.extend(call.ends_of_thread(&all));
-    all.extend(call.corner_of_taper(|| run.setup_at_machine().stock));
+    all.extend(call.corner_of_taper(|| bar_of(run)));
     call.add_pass_numbers(&mut all);
     details::add_allowance(&call, &mut all);
     details::add_infeed(&call, &mut all);
@@ -113,6 +114,12 @@ pub fn of_cycle(run: &mut Run, byte: u32) -> Figure {
 /// Zero of the program.
 fn origin() -> Annotation {
     Annotation { importance: Importance::Low, ..Annotation::point(Point::default(), "O") }
+}
+
+/// The bar that a program is turned from; `None` for a blank with an outline.
+fn bar_of(run: &Run) -> Option<Stock> {
+    let blank = run.setup_at_machine().stock?;
+    blank.outline().is_none().then(|| blank.extents())
 }
 
 /// Which block of a multiple cycle a block is.

@@ -573,7 +573,7 @@ fn run_in(own: &Pass, face: Option<f64>) -> Option<Message> {
     if own.start.z <= face || own.end.z >= face {
         return None;
     }
-    let (have, need) = (own.start.z - face, threading::run_in(own.speed, own.lead));
+    let (have, need) = (own.start.z - face, threading::run_in(own.speed, own.lead, threading::LEAD_ERROR));
     (have < need).then_some(said::ThreadRunIn { have, need }.into())
 }
 

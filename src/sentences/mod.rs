@@ -1,6 +1,7 @@
 //! All texts in all languages: the sentences of the messages, and the words shown beside them.
 
 pub mod assist;
+pub mod calculate;
 pub mod codes;
 mod descriptions;
 pub mod difference;

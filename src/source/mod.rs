@@ -3,6 +3,7 @@
 //! In: the bytes of a program. Out: [`Span`]s (bytes), and the lines and columns that users and editors use.
 //! The only module that converts bytes to UTF-16 columns. Must not know words or blocks.
 
+pub mod address;
 pub mod shift;
 
 use std::ops::Range;

@@ -193,7 +193,7 @@ fn begin(playground: &mut Playground, byte: u32, time: VisitChoice) -> bool {
 }
 
 /// Calls `make` with the answer; returns `undefined` if there is none yet.
-fn with_answer(
+pub(super) fn with_answer(
     playground: &Playground,
     make: impl FnOnce(&Reader, &Query) -> Result<JsValue, JsValue>,
 ) -> Result<JsValue, JsValue> {

@@ -100,6 +100,36 @@ for (const language of LANGUAGES) {
   );
 }
 
+for (const [language, query, page] of [
+  ['en', 'g1', 'lines-and-arcs'],
+  ['en', 'nose radius', 'nose-radius'],
+  ['zh', '圆弧半径补偿', 'nose-radius'],
+  ['zh', '精加工余量', 'g71-g72'],
+  ['zh', 'G12.1', 'g12-1'],
+  ['ru', 'полярная', 'g12-1'],
+  ['ru', 'припуск', 'g71-g72'],
+] as const)
+  test(
+    `the search finds ${query} in ${page}: ${language}`,
+    nightUnless(query === '精加工余量'),
+    async ({ page: tab }) => {
+      await tab.goto(`./manual/${language}/index.html`);
+      const field = tab.getByRole('searchbox');
+      await field.click();
+      await field.fill(query);
+      const links = tab.getByRole('search').getByRole('link');
+      await expect.poll(async () => (await links.allInnerTexts()).length).toBeGreaterThan(0);
+      const files = await links.evaluateAll((all) => all.map((link) => link.getAttribute('href') ?? ''));
+      expect(files.some((file) => file.startsWith(`${page}.html`))).toBe(true);
+      await field.press('Enter');
+      await expect.poll(() => tab.url()).not.toContain('index.html');
+      await tab.goBack();
+      await field.fill('qwertz');
+      await expect(tab.getByRole('search').getByRole('status')).not.toBeEmpty();
+      await expect(links).toHaveCount(0);
+    },
+  );
+
 test('a page of a code has its words, and its row has an anchor', async ({ page }) => {
   await page.goto('./manual/en/g71-g72.html#g72');
   await expect(page.locator('#g72')).toBeInViewport();

@@ -67,8 +67,8 @@ test('menus, gallery, editor, problems, playback, help and drawing are usable by
   // Tab leaves the editor, and reaches the drawing later.
   await page.keyboard.press('Tab');
   await expect(editor(page)).not.toBeFocused();
-  // At the cursor, outline, divider, the row over the drawing, the assumed blank, and a hint.
-  for (let i = 0; i < 13 && !(await drawing(page).evaluate((canvas) => canvas.matches(':focus'))); i++) {
+  // The source of the example, At the cursor, outline, divider, the row over the drawing, the assumed blank, and a hint.
+  for (let i = 0; i < 14 && !(await drawing(page).evaluate((canvas) => canvas.matches(':focus'))); i++) {
     await page.keyboard.press('Tab');
   }
   await expect(drawing(page)).toBeFocused();

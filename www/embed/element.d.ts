@@ -69,6 +69,8 @@ export class GcodePlayground extends HTMLElement {
   turret: string | null;
   /** The dimensions and letters in the picture: `none`, `word`, `cycle` or `part`. */
   annotate: string | null;
+  /** A calculator over the program, such as `r-of-g90`; its result becomes the program. */
+  calculator: string | null;
   caption: string | null;
   /** The page that "Open in the playground" leads to; empty: no link. */
   playground: string | null;
@@ -164,6 +166,7 @@ export type GcodePlaygroundProps = Partial<
     | 'fit'
     | 'turret'
     | 'annotate'
+    | 'calculator'
     | 'caption'
     | 'playground'
     | 'rules'

@@ -11,6 +11,7 @@ use std::{fs, io};
 use gcode_playground::message::{Diagnostic, RULES, Rule, Severity};
 use gcode_playground::sentences::{Language, labels};
 use gcode_playground::setup::Setup;
+use gcode_playground::source::address::percent_encoded;
 
 use super::outcome::{Marked, Outcome, Picture, same_word};
 use super::words::words;
@@ -288,17 +289,8 @@ fn listing(program: &str, marks: &[Mark], severity: Severity) -> String {
 
 /// The part after `#` of the playground's address of a program.
 fn address(program: &str, setup: &str, language: Language) -> String {
-    let encoded = |text: &str| {
-        text.bytes().fold(String::new(), |mut out, byte| {
-            match byte {
-                b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'~' => out.push(byte.into()),
-                _ => drop(write!(out, "%{byte:02X}")),
-            }
-            out
-        })
-    };
-    let setup = if setup == "{}" { String::new() } else { format!("&amp;setup={}", encoded(setup)) };
-    let program = encoded(program);
+    let setup = if setup == "{}" { String::new() } else { format!("&amp;setup={}", percent_encoded(setup)) };
+    let program = percent_encoded(program);
     format!("program={program}{setup}&amp;language={}", language.tag())
 }
 

@@ -25,9 +25,11 @@ pub fn element(setup: &Setup) -> Result<Duration> {
     let begun = Instant::now();
     let dist = run::www().join("dist");
     let folder = dist.join("embed");
-    for pages in ["rules", "docs", "manual"] {
+    for pages in ["rules", "docs"] {
         copy_folder(&dist.join(pages), &folder.join(pages))?;
     }
+    let manual = dist.join("manual-of-element");
+    fs::rename(&manual, folder.join("manual")).map_err(|error| cannot("move", &manual, &error))?;
     copy_folder(&run::www().join("embed"), &folder)?;
     copy_folder(&run::www().join("manuals"), &folder.join("sphinx"))?;
     change(&folder.join("package.json"), "0.0.0", VERSION)?;

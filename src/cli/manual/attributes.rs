@@ -4,7 +4,7 @@
 //! `tests/manuals.rs` compares the two.
 
 /// Attributes with their allowed values; empty if any text is allowed.
-const KNOWN: [(&str, &[&str]); 22] = [
+const KNOWN: [(&str, &[&str]); 23] = [
     ("src", &[]),
     ("control", &["fanuc", "gsk", "forum"]),
     ("setup", &[]),
@@ -21,6 +21,24 @@ const KNOWN: [(&str, &[&str]); 22] = [
     ("fit", &["part", "path"]),
     ("turret", &["front", "rear"]),
     ("annotate", &["none", "word", "cycle", "part"]),
+    (
+        "calculator",
+        &[
+            "cone",
+            "r-of-g90",
+            "r-of-g94",
+            "passes-of-a-cone",
+            "thread-speed",
+            "run-in",
+            "thread-height",
+            "thread-by-name",
+            "passes-of-g76",
+            "passes-of-g71",
+            "steps-of-g73",
+            "columns-of-g75",
+            "speed",
+        ],
+    ),
     ("caption", &[]),
     ("loading", &["lazy", "eager", "click"]),
     ("playground", &[]),

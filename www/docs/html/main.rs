@@ -2,8 +2,10 @@
 //! `cargo xtask site` and `cargo xtask test`.
 //!
 //! In: the folder of the site. Out: its folder `docs`, with one page for each document (`README.md` becomes
-//! `index.html`), and its folder `manual`, with one page for each document and language; a style sheet in each.
+//! `index.html`), and its folder `manual`, with one page for each document and language; a style sheet in each. The folder
+//! `manual-of-element` is the manual for the package of the element.
 
+mod calculator;
 mod figure;
 mod form;
 mod manual;
@@ -18,6 +20,9 @@ const REFERENCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 /// The folder of the pages of the manual.
 const MANUAL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../manual");
+
+/// The programs of the gallery.
+const PROGRAMS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../tests/programs");
 
 fn main() -> ExitCode {
     let folder = env::args_os().nth(1).unwrap_or_else(|| "target/documents".into());
@@ -34,9 +39,13 @@ fn main() -> ExitCode {
 }
 
 fn write(site: &Path) -> Result<usize, String> {
+    let pages = manual::files(Path::new(MANUAL))?;
+    let without_page = manual::without_page(&pages, Path::new(PROGRAMS))?;
     let folders = [
         (site.join("docs"), site::files(Path::new(REFERENCE))?),
-        (site.join("manual"), manual::files(Path::new(MANUAL))?),
+        (site.join("manual"), pages),
+        // `xtask` moves it into the package of the element.
+        (site.join("manual-of-element"), without_page),
     ];
     let mut count = 0;
     for (folder, files) in folders {

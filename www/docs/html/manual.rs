@@ -8,9 +8,10 @@
 //! * a link to a program (`[caption](../examples/moves.nc)`) becomes an element with that program,
 //! * an image of a program (`![caption](../examples/g90.nc "cycle:4")`) becomes a figure ([`super::figure`]),
 //! * `{form G71}` becomes the table of the words of a code, and `{codes G40 G41}` rows of codes with anchors
-//!   ([`super::form`]).
+//!   ([`super::form`]),
+//! * `{calculator r-of-g90}` becomes a calculator ([`super::calculator`]).
 //!
-//! A block quote is an exercise. Links to rule files, programs of the gallery and other pages work in the repository and
+//! A formula between `$$` is LaTeX and becomes MathML. A block quote is an exercise. Links to rule files, programs of the gallery and other pages work in the repository and
 //! on the site. A page that a language lacks is shown in English.
 //!
 //! The headings of a page have the anchors of the English page in each language. A link to a heading or to a row of codes
@@ -25,9 +26,12 @@ use std::path::Path;
 use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
 use gcode_playground::sentences::Language;
+use gcode_playground::source::address::percent_encoded;
+use pulldown_latex::config::{DisplayMode, RenderConfig};
+use pulldown_latex::{Parser as LatexParser, Storage, push_mathml};
 
 use super::site::{anchor, escaped, is_comment, plain};
-use super::{figure, form};
+use super::{calculator, figure, form};
 
 /// The colours come first, so that the pages and the playground share them.
 const STYLES: [&str; 4] = [
@@ -67,6 +71,8 @@ struct Words {
     previous: &'static str,
     licence: &'static str,
     in_english: &'static str,
+    search: &'static str,
+    nothing_found: &'static str,
 }
 
 const LANGUAGES: [Words; 3] = [
@@ -81,6 +87,8 @@ const LANGUAGES: [Words; 3] = [
         previous: "Previous",
         licence: "Licence of text and figures: ",
         in_english: "",
+        search: "Search the manual",
+        nothing_found: "no results",
     },
     Words {
         tag: "zh",
@@ -93,6 +101,8 @@ const LANGUAGES: [Words; 3] = [
         previous: "上一页",
         licence: "文字与插图的许可证：",
         in_english: "本页尚无中文版，以下为英文。",
+        search: "搜索手册",
+        nothing_found: "没有结果",
     },
     Words {
         tag: "ru",
@@ -105,6 +115,8 @@ const LANGUAGES: [Words; 3] = [
         previous: "Назад",
         licence: "Лицензия текста и рисунков: ",
         in_english: "Этой страницы ещё нет на русском языке; ниже она на английском.",
+        search: "Поиск по руководству",
+        nothing_found: "ничего не найдено",
     },
 ];
 
@@ -119,6 +131,47 @@ pub fn files(folder: &Path) -> Result<BTreeMap<String, String>, String> {
         }
     }
     if mistakes.is_empty() { Ok(files) } else { Err(mistakes.join("\n")) }
+}
+
+/// The address of the page of the playground.
+const PAGE: &str = "../../index.html";
+
+/// The files for the element without the page, whose `index.html` shows the program of its address: a link to a program
+/// of the gallery contains the program, and there is no link to the page. `programs`: the folder of the gallery.
+pub fn without_page(
+    files: &BTreeMap<String, String>,
+    programs: &Path,
+) -> Result<BTreeMap<String, String>, String> {
+    let changed = |(name, content): (&String, &String)| {
+        let content =
+            if name.ends_with(".html") { with_programs(content, programs)? } else { content.clone() };
+        Ok((name.clone(), content))
+    };
+    files.iter().map(changed).collect()
+}
+
+fn with_programs(html: &str, programs: &Path) -> Result<String, String> {
+    let link = format!("\"{PAGE}#");
+    let mut parts = html.split(&link);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (id, rest) = part.split_once('"').unwrap_or((part, ""));
+        let read = |file: &str| {
+            let path = programs.join(id).join(file);
+            fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))
+        };
+        let [program, setup] = [read("program.nc")?, read(SETUP)?];
+        let setup = setup.split_whitespace().collect::<Vec<_>>().join(" ");
+        let [program, setup] = [&program, &setup].map(|text| percent_encoded(text));
+        let _ = write!(out, "\"{PAGE}#program={program}&amp;setup={setup}\"{rest}");
+    }
+    let [start, end] = [format!("<a href=\"{PAGE}\">"), "</a>\n".to_owned()];
+    if let Some((before, after)) = out.split_once(&start)
+        && let Some((_, after)) = after.split_once(&end)
+    {
+        out = format!("{before}{after}");
+    }
+    Ok(out)
 }
 
 /// The pages of a language: first the list, then the others in its order.
@@ -151,7 +204,11 @@ impl Book {
         let names = |at: usize| format!("{}/{}.html", words.tag, self.pages[at].name);
         let pages = (0..self.pages.len()).map(|at| (names(at), self.html(at, words)));
         let figures = self.pages.iter().flat_map(|page| page.figures.iter().cloned());
-        pages.chain(figures).collect()
+        let sections =
+            self.pages[1..].iter().flat_map(|page| page.sections.iter().map(move |own| (page, own)));
+        let rows: Vec<String> = sections.enumerate().map(|(id, (page, own))| own.json(id, page)).collect();
+        let search = (format!("{}/search.json", words.tag), format!("[{}]\n", rows.join(",\n")));
+        pages.chain(figures).chain([search]).collect()
     }
 
     /// A page as HTML, with links to its neighbours.
@@ -165,6 +222,7 @@ impl Book {
         out.push_str("<meta name=\"color-scheme\" content=\"light dark\">\n");
         let _ = writeln!(out, "<title>{} · {}</title>", escaped(&page.title), words.playground);
         out.push_str("<link rel=\"stylesheet\" href=\"../manual.css\">\n");
+        out.push_str("<script type=\"module\" src=\"../../search.js\"></script>\n");
         if page.is_live {
             out.push_str("<script type=\"module\" src=\"../../element.js\"></script>\n");
         }
@@ -173,7 +231,7 @@ impl Book {
             let _ = writeln!(out, "<link rel=\"alternate\" hreflang=\"{other}\" href=\"../{other}/{file}\">");
         }
         out.push_str("</head>\n<body>\n<header>\n<nav>\n");
-        let _ = writeln!(out, "<a href=\"../../index.html\">{}</a>", words.playground);
+        let _ = writeln!(out, "<a href=\"{PAGE}\">{}</a>", words.playground);
         let current = if at == 0 { " aria-current=\"page\"" } else { "" };
         let _ = writeln!(out, "<a href=\"{INDEX}.html\"{current}>{}</a>\n</nav>", words.manual);
         let _ = writeln!(out, "<nav aria-label=\"{}\">", words.languages);
@@ -185,7 +243,14 @@ impl Book {
                 writeln!(out, "<a {language} href=\"../{other}/{file}\">{own_name}</a>")
             };
         }
-        let _ = write!(out, "</nav>\n</header>\n<main>\n{}", page.body);
+        out.push_str("</nav>\n");
+        let _ = writeln!(
+            out,
+            "<form class=\"search\" role=\"search\" data-none=\"{}\" hidden>\n<input type=\"search\" autocomplete=\"off\" \
+             placeholder=\"{1}\" aria-label=\"{1}\">\n<output></output>\n<ul></ul>\n</form>",
+            words.nothing_found, words.search
+        );
+        let _ = write!(out, "</header>\n<main>\n{}", page.body);
         let _ = writeln!(out, "<nav class=\"pages\" aria-label=\"{}\">", words.pages);
         let neighbours = [(at.checked_sub(1), "prev", words.previous), (Some(at + 1), "next", words.next)];
         for (at, relation, label) in neighbours {
@@ -220,6 +285,41 @@ pub struct Page {
     pub links: Vec<String>,
     /// Its figures: name of the file, SVG.
     figures: Vec<(String, String)>,
+    /// Its text by headings, for the search.
+    sections: Vec<Section>,
+}
+
+/// The text under a heading.
+#[derive(Default)]
+struct Section {
+    heading: String,
+    anchor: String,
+    text: String,
+}
+
+impl Section {
+    /// A row of the list that the search reads.
+    fn json(&self, id: usize, page: &Page) -> String {
+        let anchor = if self.heading == page.title { "" } else { &self.anchor };
+        let [name, anchor, title, heading, text] =
+            [&page.name, anchor, &page.title, &self.heading, &self.text].map(quoted);
+        format!(
+            "{{\"id\":{id},\"page\":{name},\"anchor\":{anchor},\"title\":{title},\"heading\":{heading},\"text\":{text}}}"
+        )
+    }
+}
+
+/// A JSON string with blanks in place of line ends.
+fn quoted(text: &str) -> String {
+    let mut out = String::from('"');
+    for word in text.split_whitespace() {
+        if out.len() > 1 {
+            out.push(' ');
+        }
+        out.push_str(&word.replace('\\', "\\\\").replace('"', "\\\""));
+    }
+    out.push('"');
+    out
 }
 
 impl Page {
@@ -253,7 +353,8 @@ impl Page {
     /// difference between the headings of both is an error.
     pub fn with_headings(text: &str, english: &str, name: &str, folder: &Path) -> Result<Self, String> {
         let mut ids = headings(english)?.into_iter();
-        let events: Vec<Event> = Parser::new_ext(text, Options::ENABLE_TABLES).collect();
+        let events: Vec<Event> =
+            Parser::new_ext(text, Options::ENABLE_TABLES | Options::ENABLE_MATH).collect();
         let mut page = Page {
             name: name.into(),
             title: String::new(),
@@ -261,11 +362,13 @@ impl Page {
             is_live: false,
             links: vec![],
             figures: vec![],
+            sections: vec![],
         };
         let mut shown = Vec::new();
         let mut at = 0;
         while let Some(event) = events.get(at) {
             at += 1;
+            page.collect(event);
             if *event == Event::Start(Tag::Paragraph)
                 && let Some(end) =
                     events[at..].iter().position(|event| *event == Event::End(TagEnd::Paragraph))
@@ -282,10 +385,12 @@ impl Page {
                 }
                 Event::Start(Tag::Heading { level, classes, attrs, .. }) => {
                     let title = plain(&events[at..], |end| matches!(end, TagEnd::Heading(_)));
-                    let id = match ids.next() {
-                        Some((of_english, id)) if of_english == *level => Some(id.into()),
+                    let anchor = match ids.next() {
+                        Some((of_english, id)) if of_english == *level => id,
                         _ => return Err(format!("the English page has no such heading: `{title}`")),
                     };
+                    let id = Some(anchor.clone().into());
+                    page.sections.push(Section { heading: title.clone(), anchor, text: String::new() });
                     if page.title.is_empty() {
                         page.title = title;
                     }
@@ -300,6 +405,7 @@ impl Page {
                 Event::Code(code) => {
                     Event::InlineHtml(format!("<code lang=\"en\">{}</code>", escaped(code)).into())
                 }
+                Event::DisplayMath(formula) => Event::Html(mathml(formula)?.into()),
                 Event::Start(Tag::CodeBlock(_)) => {
                     Event::Html("<pre lang=\"en\" tabindex=\"0\"><code>".into())
                 }
@@ -321,6 +427,23 @@ impl Page {
         }
         html::push_html(&mut page.body, shown.into_iter());
         if page.title.is_empty() { Err("no heading".to_owned()) } else { Ok(page) }
+    }
+
+    /// Adds the text of an event to its section.
+    fn collect(&mut self, event: &Event) {
+        match event {
+            Event::Text(text) | Event::Code(text) if !text.starts_with('{') => {
+                if let Some(section) = self.sections.last_mut() {
+                    section.text.push_str(text);
+                }
+            }
+            Event::SoftBreak | Event::End(TagEnd::Paragraph | TagEnd::Item | TagEnd::TableCell) => {
+                if let Some(section) = self.sections.last_mut() {
+                    section.text.push(' ');
+                }
+            }
+            _ => {}
+        }
     }
 
     /// A paragraph that is an element, a figure or a table; `None` for any other.
@@ -348,6 +471,10 @@ impl Page {
             let mut names = directive.split_whitespace();
             return match names.next() {
                 Some("form") => form::table(names.next().unwrap_or_default(), language).map(Some),
+                Some("calculator") => {
+                    self.is_live = true;
+                    calculator::html(names.next().unwrap_or_default(), CONTROLS, language).map(Some)
+                }
                 Some("codes") => form::rows(&names.collect::<Vec<_>>(), language).map(Some),
                 _ => Err(format!("there is no directive `{text}`")),
             };
@@ -370,7 +497,7 @@ impl Page {
             return Ok(format!("../../rules/{}/{rule}.html", language(folder)));
         }
         if let Some(program) = link.strip_prefix("../../../tests/programs/").and_then(gallery) {
-            return Ok(format!("../../index.html#{program}"));
+            return Ok(format!("{PAGE}#{program}"));
         }
         match stem(file).filter(|page| !page.contains('/')) {
             Some(page) if anchor.is_empty() => {
@@ -433,6 +560,15 @@ fn example<'a>(paragraph: &'a [Event]) -> Option<(String, &'a str)> {
     };
     let is_alone = !caption.iter().any(|event| matches!(event, Event::End(TagEnd::Link)));
     (is_alone && dest_url.ends_with(".nc")).then(|| (plain(caption, |_| false), &**dest_url))
+}
+
+/// A formula in LaTeX as MathML.
+fn mathml(formula: &str) -> Result<String, String> {
+    let storage = Storage::new();
+    let config = RenderConfig { display_mode: DisplayMode::Block, ..RenderConfig::default() };
+    let mut out = String::new();
+    push_mathml(&mut out, LatexParser::new(formula, &storage), config).map_err(|error| error.to_string())?;
+    if out.contains("<merror") { Err(format!("the formula `{formula}` is not valid LaTeX")) } else { Ok(out) }
 }
 
 /// A figure with its caption. Its size is given, so that the text does not move when it is loaded.

@@ -27,7 +27,7 @@ export function wordHover(events: EditorEvents, language: () => Language): Exten
     let help: WordHelp | undefined = await wordAt(events.help(), at);
     // The interpreter describes the word that ends there, but the pointer is on the next character.
     if (view.state.doc === doc && doc.sliceString(at, at + 1) === ';' && (help === undefined || help.to <= at))
-      help = { word: ';', title: WORDS[language()], facts: [], marks: [], from: at, to: at + 1 };
+      help = { word: ';', title: WORDS[language()], facts: [], marks: [], calculators: [], from: at, to: at + 1 };
     if (help === undefined || view.state.doc !== doc || help.to > doc.length || hasProblem(view.state, at)) return null;
     // Above, like the problems, so that the following lines stay visible.
     return {

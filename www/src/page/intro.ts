@@ -96,7 +96,9 @@ export class Intro {
     this.#toggle.setAttribute('aria-expanded', String(this.#isOpen));
     this.#toggle.hidden = described === undefined;
     if (described !== undefined && this.#isOpen) {
-      lines.push(make('p', {}, ...renderUnbroken(described.shows[language])), sourceDetails(described.id, language));
+      lines.push(make('p', {}, ...renderUnbroken(described.shows[language])));
+      // A first lesson keeps its source in the gallery, to leave room for the program.
+      if (described.labels !== true) lines.push(sourceDetails(described.id, language));
     }
     if (isTooLong) lines.push(make('p', { className: 'kept' }, texts.tooLongToSave));
     lines.push(...this.#offerLines(content));

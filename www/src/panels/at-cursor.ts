@@ -9,7 +9,16 @@ import { words } from '../dom/words';
 import { isCompletionEnabled, setCompletionEnabled } from '../editor/completion-setting';
 import { codeLink } from '../editor/rule-link';
 import { factList, wordLine } from '../editor/word-help';
-import type { FormHelp, FormLine, FormWord, Help, HelpLine, StateHelp, StateRow } from '../protocol/protocol';
+import type {
+  CalculatorName,
+  FormHelp,
+  FormLine,
+  FormWord,
+  Help,
+  HelpLine,
+  StateHelp,
+  StateRow,
+} from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
 import type { CycleChooser } from './cycle-chooser';
 import { loadPart } from './load-part';
@@ -318,7 +327,9 @@ class AtCursor implements Panel {
     }
     if (hasChanged(this.#facts, word))
       this.#facts.replaceChildren(
-        ...(word === undefined ? [] : [factList(word.facts, (offset) => this.#goTo(offset))]),
+        ...(word === undefined
+          ? []
+          : [factList(word.facts, (offset) => this.#goTo(offset)), ...this.#renderCalculators(word.calculators)]),
       );
     if (hasChanged(this.#form, form)) this.#form.replaceChildren(...(form === undefined ? [] : this.#renderForm(form)));
     if (state !== undefined && hasChanged(this.#state, state)) this.#showState(state);
@@ -345,6 +356,17 @@ class AtCursor implements Panel {
     this.#form.replaceChildren();
     this.#executions.hidden = true;
     this.#state.replaceChildren();
+  }
+
+  /** A button for each calculator that fits the word. */
+  #renderCalculators(calculators: readonly CalculatorName[]): HTMLElement[] {
+    if (calculators.length === 0) return [];
+    const buttons = calculators.map(({ name, title }) => {
+      const button = make('button', { type: 'button', className: 'framed', 'aria-haspopup': 'dialog' }, `${title}…`);
+      button.addEventListener('click', () => this.#shell.service('openCalculator')(name));
+      return button;
+    });
+    return [make('div', { className: 'word-calculators' }, ...buttons)];
   }
 
   /** The form of the block: its words in a row, and under it the missing and the omitted ones. */

@@ -2,6 +2,7 @@
 // if they are shown, in parallel with the interpreter.
 
 import { atCursor } from './at-cursor';
+import { calculator } from './calculator';
 import { codes } from './codes';
 import { exports } from './exports';
 import { fileBar } from './file-bar';
@@ -48,6 +49,7 @@ export const FURTHER: readonly PanelKind[] = [
   switches,
   problems,
   atCursor,
+  calculator,
   navigation,
   whatIf,
   keys,

@@ -204,6 +204,8 @@ export interface Services {
   /** Ends the comparison that `keepPart` began, but not one that the user began. */
   endComparison(): void;
   openCodes(): void;
+  /** Opens a calculator with the values of the block at the cursor. */
+  openCalculator(name: string): void;
   /** Opens the explanation of the word and the block at the cursor. */
   explain(): void;
   /** `group` and `key`: the group and the field to open. */
@@ -238,6 +240,8 @@ export interface Shell {
   readonly readonly: boolean;
   /** The dimensions and letters that the host page has chosen. */
   readonly annotate: AnnotateChoice;
+  /** The calculator that the host page shows over the program. */
+  readonly calculator: string | undefined;
   /** All problems of the newest report, also those that are held back while the user types. */
   readonly diagnostics: readonly Diagnostic[];
   /** Whether the program text is shown, not only its results. */

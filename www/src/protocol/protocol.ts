@@ -7,6 +7,8 @@
 
 import type { PartName } from '../../pkg/part-files.js';
 import type {
+  Calculation,
+  CalculatorForm,
   Codes,
   Comparison,
   Diagnostic,
@@ -48,6 +50,7 @@ import type {
 } from '../../pkg/gcode_playground.js';
 
 export type {
+  CalculatorForm,
   Codes,
   Comparison,
   Diagnostic,
@@ -71,7 +74,16 @@ export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, 
 export type { ProfileKind, Profiles, ReadAs };
 export type { HeldBy, ProgramDifference };
 export type { CompletionHelp, CompletionItem, FormHelp, OutlineHelp, StateHelp, UsesHelp, WordHelp };
-export type { FormLine, FormWord, HelpLine, OutlineEntry, StateRow, Use } from '../../pkg/gcode_playground.js';
+export type {
+  Calculated,
+  CalculatorName,
+  FormLine,
+  FormWord,
+  HelpLine,
+  OutlineEntry,
+  StateRow,
+  Use,
+} from '../../pkg/gcode_playground.js';
 export type {
   CodeRow,
   Edit,
@@ -278,6 +290,19 @@ export interface Questions {
   /** Parts of the selected text that can be rewritten as a cycle. */
   rewritings: { args: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
   codes: { args: undefined; answer: Codes };
+  /**
+   * The form of a calculator: with the values of the block of the last question at the cursor (undefined if there is a
+   * newer run), or with those of its worked example.
+   */
+  calculator: {
+    args: { readonly name: string; readonly at: CalculatorPlace };
+    answer: CalculatorForm | undefined;
+  };
+  /** The results of a calculator for the texts of its fields; a figure only at the cursor. */
+  calculate: {
+    args: { readonly name: string; readonly fields: readonly string[]; readonly at: CalculatorPlace };
+    answer: CalculatorAnswer | undefined;
+  };
   /** Undefined if the same asker has sent a newer question meanwhile, or there is a newer run. */
   help: { args: HelpRequest; answer: Help | undefined };
   /** The uses of the number at an offset: a sequence number, a program, a variable. */
@@ -304,6 +329,15 @@ export interface Questions {
     args: { readonly json: string; readonly kind: ProfileKind; readonly profile: string };
     answer: string;
   };
+}
+
+/** Where the values of a calculator come from. */
+export type CalculatorPlace = 'cursor' | 'example';
+
+export interface CalculatorAnswer {
+  readonly calculation: Calculation;
+  /** SVG of the program that shows the result; empty without a result. */
+  readonly figure: string;
 }
 
 /** The part of the page that asks for help: a newer question replaces its last one. */
@@ -384,6 +418,8 @@ export const RUN_DEPENDENT = {
   difference: true,
   locate: false,
   codes: false,
+  calculator: false,
+  calculate: false,
   export: false,
   'programs-in': false,
   'pieces-of': false,

@@ -15,6 +15,7 @@ interface AuthorHost {
   readonly fit: string | null;
   readonly turret: string | null;
   readonly annotate: string | null;
+  readonly calculator: string | null;
   readonly caption: string | null;
 }
 
@@ -55,6 +56,10 @@ export class AuthorSettings {
 
   get annotate(): AnnotateChoice {
     return oneOf(ANNOTATE_CHOICES, this.#host.annotate) ?? 'word';
+  }
+
+  get calculator(): string | undefined {
+    return this.#host.calculator ?? undefined;
   }
 
   showCaption(language: Language): void {

@@ -26,6 +26,7 @@
 //   lines     "3-20"                   lines that are shown initially; the others are folded
 //   fit       part | path              what the drawing is fitted to
 //   turret    front | rear
+//   calculator r-of-g90                a calculator over the program; its result becomes the program
 //   caption   a line under the element, which is also its accessible name
 //   playground https://…               target of "Open in the playground"; empty: no link
 //   rules, docs, manual https://…       the folders of the rule pages, the documents, the pages of the manual; empty: no links to them
@@ -34,7 +35,7 @@
 //   hints     "play pick"              the introductory hints that are still to be shown; missing: none
 //   labels                             names chuck, tool and start point on the picture, where there is room
 // The element updates `hints`, `block-skip` and `program` when the user dismisses a hint or uses a switch. A change of
-// `view`, `controls` or `readonly` renders the element again with the same program; the undo history is lost.
+// `view`, `controls`, `readonly` or `calculator` renders the element again with the same program; the undo history is lost.
 //
 // Properties: value (the program), length (of the program, each line end counted as one), opened (the file of the
 // program, and the text with its own line ends), origin (any text by which the page identifies the program),
@@ -98,7 +99,7 @@ export interface OpenedProgram {
 }
 
 /** A change of these attributes renders the element again. */
-const RERENDERING_ATTRIBUTES: readonly string[] = ['view', 'controls', 'readonly'];
+const RERENDERING_ATTRIBUTES: readonly string[] = ['view', 'controls', 'readonly', 'calculator'];
 /** The author's attributes for lines and picture. */
 const AUTHOR_ATTRIBUTES: readonly string[] = [
   'highlight',
@@ -134,6 +135,7 @@ export class GcodePlayground extends Base {
     'fit',
     'turret',
     'annotate',
+    'calculator',
     'caption',
     'loading',
     'playground',
@@ -397,6 +399,15 @@ export class GcodePlayground extends Base {
     this.#setOrRemove('turret', side);
   }
 
+  /** The calculator over the program, such as `r-of-g90`; its result becomes the program. */
+  get calculator(): string | null {
+    return this.getAttribute('calculator');
+  }
+
+  set calculator(name: string | null) {
+    this.#setOrRemove('calculator', name);
+  }
+
   /** The dimensions and letters in the picture: `none`, `word`, `cycle` or `part`. */
   get annotate(): string | null {
     return this.getAttribute('annotate');
@@ -635,7 +646,7 @@ export class GcodePlayground extends Base {
   }
 
   get #viewKey(): string {
-    return JSON.stringify([this.view, shownControls(this.view, this.controls), this.readonly]);
+    return JSON.stringify([this.view, shownControls(this.view, this.controls), this.readonly, this.calculator]);
   }
 
   /** Properties that were set before the class was defined hide its accessors: set them again. */

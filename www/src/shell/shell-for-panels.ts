@@ -68,6 +68,10 @@ export class ShellForPanels implements Shell {
     return this.#parts.author.annotate;
   }
 
+  get calculator(): string | undefined {
+    return this.#parts.author.calculator;
+  }
+
   get diagnostics(): readonly Diagnostic[] {
     return this.#parts.reports.diagnostics;
   }

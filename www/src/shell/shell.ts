@@ -36,6 +36,7 @@ interface Host {
   readonly fit: string | null;
   readonly turret: string | null;
   readonly annotate: string | null;
+  readonly calculator: string | null;
   readonly caption: string | null;
   readonly playground: string | null;
   readonly value: string;

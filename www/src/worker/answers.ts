@@ -51,6 +51,16 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   expand: { needs: TEXT_PARTS, answer: expandProgram },
   rewritings: { needs: TEXT_PARTS, answer: (core, { from, to }) => core.rewritings(from, to) },
   codes: { needs: TEXT_PARTS, answer: (core) => core.codes() },
+  calculator: { needs: TEXT_PARTS, answer: (core, { name, at }) => core.calculatorForm(name, at === 'cursor') },
+  calculate: {
+    needs: TEXT_PARTS,
+    answer(core, { name, fields, at }) {
+      const calculation = core.calculate(name, [...fields], at === 'cursor');
+      if (calculation === undefined) return undefined;
+      const hasFigure = at === 'cursor' && calculation.kind === 'done';
+      return { calculation, figure: hasFigure ? core.calculatorFigure(calculation.program) : '' };
+    },
+  },
   // Before the run has ended, nothing is known about the remaining blocks.
   help: { needs: TEXT_PARTS, waitsFor: 'part', annotates: ({ by }) => by === 'cursor', answer: answerHelp },
   uses: { needs: TEXT_PARTS, answer: (core, { offset }) => core.usesAt(offset) },
