@@ -8,10 +8,11 @@ use clap::ValueEnum;
 
 use super::options::LanguageName;
 use super::system::print_error_line;
-use super::{NAME, Program, encoded};
+use super::{NAME, Program, encoded, finished};
 use crate::export::file::{self, Exportable, FileFormat, file as export};
 use crate::machine::SimulationResult;
 use crate::motion::Motions;
+use crate::run::Run;
 use crate::scene::camera::XPlus;
 use crate::scene::svg::SvgOptions;
 use crate::sentences::Language;
@@ -65,6 +66,14 @@ pub(super) fn svg_options(program: &Program, language: Language) -> SvgOptions {
     file::svg_options(&FinishedProgram { program, simulation: OnceCell::new() }, language)
 }
 
+/// The chart of the speeds of a program that does not move. `adapt`: changes the options of the picture.
+pub(super) fn speed_chart(
+    program: &Program,
+    adapt: impl FnOnce(SvgOptions) -> SvgOptions,
+) -> Option<String> {
+    file::speed_chart(&FinishedProgram { program, simulation: OnceCell::new() }, adapt)
+}
+
 /// An analysed program; the simulation is computed on first use.
 struct FinishedProgram<'a> {
     program: &'a Program,
@@ -94,6 +103,10 @@ impl Exportable for FinishedProgram<'_> {
 
     fn expanded(&self) -> Vec<u8> {
         expanded(self.program)
+    }
+
+    fn finished_run(&self) -> Run {
+        finished(self.program)
     }
 
     fn unit(&self) -> Unit {

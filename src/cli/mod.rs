@@ -266,9 +266,8 @@ fn svg(
     };
     match view {
         ViewName::Section => {
-            let speeds = motions.is_empty().then(|| figures::of_speeds(&mut finished(program))).flatten();
-            if let Some((chart, annotations)) = speeds {
-                return Ok(of_surface(chart.moves(), None, annotations));
+            if let Some(chart) = export::speed_chart(program, |options| on_paper(print, options)) {
+                return Ok(chart);
             }
             let options = SvgOptions {
                 x_plus: turret.into(),

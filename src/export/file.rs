@@ -9,10 +9,11 @@ use crate::figures;
 use crate::machine::SimulationResult;
 use crate::machine::region::Region;
 use crate::motion::Motions;
+use crate::run::Run;
 use crate::scene::annotation::Annotation;
 use crate::scene::camera::XPlus;
 use crate::scene::ruler::Scale;
-use crate::scene::svg::{Caption, Contents, Ground, Passes, SvgOptions, section};
+use crate::scene::svg::{Caption, Contents, Ground, Passes, SvgOptions, section, svg};
 use crate::sentences::{Language, labels};
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
@@ -82,6 +83,8 @@ pub trait Exportable {
     fn simulation(&self) -> Option<&SimulationResult>;
     /// The program with every cycle expanded, in the encoding of the file to write.
     fn expanded(&self) -> Vec<u8>;
+    /// The finished run, to execute blocks of it again.
+    fn finished_run(&self) -> Run;
     /// The unit for lengths; tables of numbers use mm anyway.
     fn unit(&self) -> Unit;
     /// The direction of X+ in drawings.
@@ -91,7 +94,10 @@ pub trait Exportable {
 /// Exports a file; `None` if it needs a part and there is none.
 pub fn file(format: FileFormat, program: &impl Exportable, language: Language) -> Option<Vec<u8>> {
     match format {
-        FileFormat::Svg => Some(drawing(program, &svg_options(program, language)).into_bytes()),
+        FileFormat::Svg => {
+            let chart = speed_chart(program, |options| options);
+            Some(chart.unwrap_or_else(|| drawing(program, &svg_options(program, language))).into_bytes())
+        }
         FileFormat::Csv => Some(csv::csv(program.motions(), &program.setup().machine).into_bytes()),
         FileFormat::Card => Some(card(program, language).into_bytes()),
         FileFormat::Dxf => dxf::dxf(&part(program)?, &dimensions(program)).map(String::into_bytes),
@@ -139,12 +145,29 @@ fn dimensions(program: &impl Exportable) -> Vec<Annotation> {
     simulation.map_or_else(Vec::new, |simulation| figures::of_finished(simulation, program.motions()))
 }
 
+/// Width of the chart of speeds, CSS pixels.
+const CHART_WIDTH: f64 = 720.0;
 /// Width of the drawing of the part on paper, mm.
 const PART_WIDTH: f64 = 160.0;
 
 /// The drawing of the half-section.
 fn drawing(program: &impl Exportable, options: &SvgOptions) -> String {
     section(program.motions(), program.simulation(), options)
+}
+
+/// The chart of the speeds of a program without motions; `None` if it moves or sets no cutting speed. `adapt`: changes the
+/// options of the picture.
+pub fn speed_chart(
+    program: &impl Exportable,
+    adapt: impl FnOnce(SvgOptions) -> SvgOptions,
+) -> Option<String> {
+    if !program.motions().is_empty() {
+        return None;
+    }
+    let (chart, annotations) = figures::of_speeds(&mut program.finished_run())?;
+    let scale = Scale::of(program.unit());
+    let options = SvgOptions { width: CHART_WIDTH, scale, annotations, ..SvgOptions::default() };
+    Some(svg(&chart.moves().scene(None), &adapt(options)))
 }
 
 /// Options for the drawing of a program, with its title and a legend.

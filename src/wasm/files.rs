@@ -12,10 +12,11 @@ use super::{Playground, error, to_js};
 use crate::api;
 use crate::current::Current;
 use crate::expand::expand;
-use crate::export::file::{Exportable, FileFormat, file};
+use crate::export::file::{Exportable, FileFormat, file, speed_chart};
 use crate::machine::SimulationResult;
 use crate::motion::Motions;
 use crate::parts::late;
+use crate::run::Run;
 use crate::scene::Plane;
 use crate::scene::camera::XPlus;
 use crate::scene::canvas::{Painter, Progress};
@@ -34,6 +35,12 @@ impl Playground {
         #[wasm_bindgen(unchecked_param_type = "FileFormat")] format: &str,
     ) -> Result<Option<Vec<u8>>, JsValue> {
         bytes_of(self, format)
+    }
+
+    /// The chart of the speeds of a program that does not move, as SVG; `undefined` if it sets no cutting speed.
+    #[wasm_bindgen(js_name = speedChart)]
+    pub fn speed_chart(&self) -> Option<String> {
+        chart_of_speeds(&self.current)
     }
 
     /// The extension of such a file.
@@ -78,6 +85,10 @@ late! {
         playground.current.finish_part();
         let (current, setup) = (&playground.current, playground.current.run().setup_at_machine());
         Ok(file(format, &FinishedProgram { current, setup }, playground.language))
+    }
+
+    fn chart_of_speeds(current: &Current) -> Option<String> {
+        speed_chart(&FinishedProgram { current, setup: current.run().setup_at_machine() }, |options| options)
     }
 
     fn section(playground: &mut Playground) -> Result<JsValue, JsValue> {
@@ -128,6 +139,10 @@ impl Exportable for FinishedProgram<'_> {
 
     fn expanded(&self) -> Vec<u8> {
         expand(self.text(), &self.current.run().setup_to_repeat()).into_bytes()
+    }
+
+    fn finished_run(&self) -> Run {
+        Run::finished(self.text().to_vec(), self.current.run().setup_to_repeat())
     }
 
     fn unit(&self) -> Unit {

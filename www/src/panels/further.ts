@@ -22,6 +22,7 @@ import { profiles } from './profiles';
 import { rewrite } from './rewrite';
 import { setup } from './setup';
 import { solid } from './solid';
+import { speedChart } from './speed-chart';
 import { statusLine } from './status-line';
 import { dimensions } from './dimensions';
 import { divider } from './divider';
@@ -43,6 +44,7 @@ export const FURTHER: readonly PanelKind[] = [
   divider,
   hints,
   labels,
+  speedChart,
   fileBar,
   profiles,
   readAs,

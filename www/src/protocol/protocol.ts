@@ -310,6 +310,8 @@ export interface Questions {
   /** The outline of the text, and its foldable ranges. */
   outline: { args: undefined; answer: OutlineHelp };
   export: { args: { readonly format: ExportFormat }; answer: ExportResult };
+  /** The chart of the speeds of a program without motions, as SVG; undefined if it sets no cutting speed. */
+  'speed-chart': { args: undefined; answer: string | undefined };
   /** The half-section of the part at the current position of the playback. */
   section: { args: undefined; answer: readonly SectionPiece[] };
   /** The holes drilled by live tools up to that position. */
@@ -407,6 +409,7 @@ export const RUN_DEPENDENT = {
   expand: true,
   rewritings: true,
   section: true,
+  'speed-chart': true,
   holes: true,
   help: true,
   uses: true,

@@ -67,6 +67,7 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   outline: { needs: TEXT_PARTS, answer: (core) => core.outline() },
   // Wait, since a file of an incomplete program would be mistaken for all of it.
   export: { needs: TEXT_PARTS, waitsFor: 'part', answer: (core, { format }) => exportFile(core, format) },
+  'speed-chart': { needs: TEXT_PARTS, answer: (core) => core.speedChart() },
   section: { needs: TEXT_PARTS, answer: (core) => core.section() },
   holes: { needs: TEXT_PARTS, answer: (core) => core.holes() },
   'programs-in': { needs: TEXT_PARTS, answer: (_, { text }) => findPrograms(text) },
