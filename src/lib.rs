@@ -41,6 +41,8 @@
 //!
 //! The default feature `cli` contains the command line; `default-features = false` leaves it out.
 
+#![warn(clippy::self_named_module_files)]
+
 pub mod api;
 pub mod assist;
 pub mod calculate;

@@ -42,7 +42,7 @@ pub const FIGURES: &[Figure] = &[
         "www/docs/command-line.md",
         "cuts 0.5 mm and rapids 0.25 mm wide",
         // At 96 CSS pixels per inch: 1.9 and 0.95 pixels.
-        Held::Stated("src/scene/svg.rs", "path.rapid { stroke-width: 0.95 }"),
+        Held::Stated("src/scene/svg/mod.rs", "path.rapid { stroke-width: 0.95 }"),
     ),
     figure(
         "www/docs/setup.md",
