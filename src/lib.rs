@@ -44,43 +44,60 @@
 #![warn(clippy::self_named_module_files)]
 
 pub mod api;
-pub mod assist;
-pub mod calculate;
-#[cfg(all(feature = "cli", any(not(target_arch = "wasm32"), feature = "npx")))]
-pub mod cli;
-pub mod control;
-pub mod current;
-pub mod cycles;
-pub mod difference;
-pub mod expand;
 pub mod export;
-pub mod figures;
-pub mod findings;
 pub mod geometry;
-mod heap;
-pub mod library;
 pub mod limits;
-pub mod lint;
 pub mod machine;
 pub mod message;
 pub mod motion;
-mod order;
-pub mod parts;
-pub mod paste;
-pub mod playback;
-pub mod provenance;
-pub mod repair;
-pub mod rewrite;
 pub mod run;
 pub mod scene;
 pub mod sentences;
 pub mod setup;
 pub mod source;
-pub mod text;
-pub mod threads;
 pub mod units;
+
+// Public for the binary, the pages of the site and the tests only; they change without notice.
+#[doc(hidden)]
+pub mod assist;
+#[doc(hidden)]
+pub mod calculate;
+#[cfg(all(feature = "cli", any(not(target_arch = "wasm32"), feature = "npx")))]
+#[doc(hidden)]
+pub mod cli;
+#[doc(hidden)]
+pub mod control;
+#[doc(hidden)]
+pub mod current;
+#[doc(hidden)]
+pub mod expand;
+#[doc(hidden)]
+pub mod figures;
+#[doc(hidden)]
+pub mod findings;
+#[doc(hidden)]
+pub mod paste;
+#[doc(hidden)]
+pub mod playback;
+#[doc(hidden)]
+pub mod repair;
+#[doc(hidden)]
+pub mod rewrite;
+#[doc(hidden)]
+pub mod text;
 #[cfg(all(target_arch = "wasm32", not(feature = "npx")))]
+#[doc(hidden)]
 pub mod wasm;
+
+mod cycles;
+mod difference;
+mod heap;
+mod library;
+mod lint;
+mod order;
+mod parts;
+mod provenance;
+mod threads;
 
 pub use library::{check, motions, repair};
 pub use run::analyze;

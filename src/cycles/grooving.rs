@@ -7,7 +7,7 @@
 
 use super::{Move, sign};
 use crate::geometry::{Point, SAME};
-use crate::motion::{Cycle, MotionKind, Step};
+use crate::motion::{MotionKind, Step};
 
 /// Direction of the pecks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,14 +19,6 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// The cycle of the motions.
-    pub fn cycle(self) -> Cycle {
-        match self {
-            Self::Face => Cycle::FacePecking,
-            Self::Radial => Cycle::Grooving,
-        }
-    }
-
     /// The coordinates of a point or a displacement along the pecks and across them: X a radius, mm.
     pub fn along_and_across(self, point: Point) -> (f64, f64) {
         match self {

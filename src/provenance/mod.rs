@@ -14,7 +14,7 @@ mod statement;
 mod system;
 mod unit;
 
-pub use self::decimal::{DecimalEvidence, Measure, NumberWithoutPoint};
+pub use self::decimal::{DecimalEvidence, NumberWithoutPoint};
 use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
