@@ -67,10 +67,7 @@ pub(super) fn svg_options(program: &Program, language: Language) -> SvgOptions {
 }
 
 /// The chart of the speeds of a program that does not move. `adapt`: changes the options of the picture.
-pub(super) fn speed_chart(
-    program: &Program,
-    adapt: impl FnOnce(SvgOptions) -> SvgOptions,
-) -> Option<String> {
+pub(super) fn speed_chart(program: &Program, adapt: impl FnOnce(SvgOptions) -> SvgOptions) -> Option<String> {
     file::speed_chart(&FinishedProgram { program, simulation: OnceCell::new() }, adapt)
 }
 

@@ -169,7 +169,7 @@ impl Lints {
             Event::MachinePlace { block } => self.compensations.machine_place(block, at, reports),
             Event::Compensation => self.compensations.switched(),
             Event::Compensated(own) => self.compensations.compensated(&own, at, reports),
-            Event::MotionCode { .. } => self.single_cycles.ends(),
+            Event::MotionCode { .. } => self.single_cycles.ends(at, reports),
             Event::CycleCode { cycle, block, words } => {
                 // In code system B a lone G94 sets feed per minute.
                 let is_lone = block.words.len() == 1 && at.state.motion != MotionMode::Cycle(cycle);
@@ -177,9 +177,12 @@ impl Lints {
                     self.feed.unit_is_chosen();
                     self.rotary.feed.suppress();
                 }
-                self.single_cycles.begins(cycle, block, words, at);
+                self.single_cycles.begins(cycle, block, words, at, reports);
             }
-            Event::OneShot => self.single_cycles.one_shot(),
+            Event::OneShot => {
+                self.single_cycles.series_ends(at, reports);
+                self.single_cycles.one_shot();
+            }
             Event::OldTaperWord { words } => reports.extend(self.single_cycles.old_taper_word(words, at)),
             Event::CycleWithoutAxis { words, cycle, taper } => {
                 reports.extend(words::without_axis(words, cycle, at));
@@ -245,6 +248,7 @@ impl Lints {
             Event::SettingsUnknown => self.spindle.suppress_unknown_settings(),
             Event::ProgramEnds { end } => {
                 self.feed.report_lone_feed(at, reports);
+                self.single_cycles.series_ends(at, reports);
                 self.spindle.report_stopped_move(reports);
                 reports.extend(self.rotary.report_start_with_c());
                 if let Some(end) = end {
@@ -253,6 +257,7 @@ impl Lints {
             }
             Event::RunEnds => {
                 self.feed.report_doubtful(at, reports);
+                self.single_cycles.series_ends(at, reports);
                 self.spindle.report_stopped_move(reports);
                 self.spindle.report_speed_clamp(at, reports);
                 reports.extend(self.rotary.report_start_with_c());

@@ -76,7 +76,31 @@ pub struct SingleCycles {
     deepest: Option<DeepestPass>,
     /// The axis word of a pass that repeats the deepest one: a spring pass, unless a deeper one follows.
     repeated: Option<Span>,
+    /// The last pass with a taper, which is checked unless a steeper one follows.
+    last_taper: Option<TaperedPass>,
     reported: Reported,
+}
+
+/// A pass with a taper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct TaperedPass {
+    cycle: Single,
+    start: Point,
+    end: Point,
+    taper: f64,
+    /// R, or the block if the taper is modal.
+    span: Span,
+}
+
+impl TaperedPass {
+    /// Whether `next` continues the series in which R grows and the ends stay: then only its last R is that of the part.
+    fn is_before(&self, next: &Self) -> bool {
+        self.cycle == next.cycle
+            && self.start.distance(next.start) <= LENGTH_TOLERANCE
+            && self.end.distance(next.end) <= LENGTH_TOLERANCE
+            && self.taper * next.taper > 0.0
+            && next.taper.abs() > self.taper.abs() + LENGTH_TOLERANCE
+    }
 }
 
 /// The remarks that were made.
@@ -96,7 +120,8 @@ struct Reported {
 
 impl SingleCycles {
     /// Handles another code of group 01 that is not a cycle.
-    pub fn ends(&mut self) {
+    pub fn ends(&mut self, at: &EventContext, reports: &mut Vec<Diagnostic>) {
+        self.series_ends(at, reports);
         self.reported.taper_not_extended.reset();
         self.reported.pass_not_deeper.reset();
         self.reported.too_deep.reset();
@@ -105,15 +130,23 @@ impl SingleCycles {
     }
 
     /// Handles the code of a cycle.
-    pub fn begins(&mut self, cycle: Single, block: &Block, words: &Words, at: &EventContext) {
+    pub fn begins(
+        &mut self,
+        cycle: Single,
+        block: &Block,
+        words: &Words,
+        at: &EventContext,
+        reports: &mut Vec<Diagnostic>,
+    ) {
         match at.state.motion {
             MotionMode::Cycle(before) if before == cycle => {}
             MotionMode::Cycle(_) => {
+                self.series_ends(at, reports);
                 self.reported.taper_not_extended.reset();
                 self.reported.pass_not_deeper.reset();
                 self.reported.too_deep.reset();
             }
-            _ => self.ends(),
+            _ => self.ends(at, reports),
         }
         // With F it is certainly a cycle: the ends of its passes follow.
         const NAMES: u32 = letters(b"XZUWFR");
@@ -157,11 +190,21 @@ impl SingleCycles {
             reports.push(Diagnostic::new(said::G90AsAbsolute, span));
         }
         let &SinglePass { cycle, start, end, .. } = pass;
-        let taper = at.state.memory.taper;
+        let own = TaperedPass { cycle, start, end, taper: at.state.memory.taper, span: pass.taper_span };
+        if self.last_taper.is_some_and(|last| last.is_before(&own)) {
+            self.last_taper = None;
+        }
+        self.series_ends(at, reports);
         let way = if cycle == Single::Facing { end.z - start.z } else { end.x - start.x };
         // A cut that begins beyond the start point is reported elsewhere.
-        if !single::begins_beyond_start(way, taper)
-            && let Some(diagnostic) = taper::not_extended(cycle, start, end, taper, pass.taper_span, at)
+        self.last_taper =
+            Some(own).filter(|own| own.taper != 0.0 && !single::begins_beyond_start(way, own.taper));
+    }
+
+    /// Reports the last taper if it is not extended to the start point.
+    pub fn series_ends(&mut self, at: &EventContext, reports: &mut Vec<Diagnostic>) {
+        let Some(TaperedPass { cycle, start, end, taper, span }) = self.last_taper.take() else { return };
+        if let Some(diagnostic) = taper::not_extended(cycle, start, end, taper, span, at)
             && self.reported.taper_not_extended.mark_reported()
         {
             reports.push(diagnostic);
@@ -248,14 +291,15 @@ impl SingleCycles {
     }
 
     /// First bytes of the words that may be reported later.
-    pub fn waiting(&self) -> [Option<u32>; 2] {
-        [self.g90_alone, self.repeated].map(|span| Some(span?.start))
+    pub fn waiting(&self) -> [Option<u32>; 3] {
+        [self.g90_alone, self.repeated, self.last_taper.map(|last| last.span)].map(|span| Some(span?.start))
     }
 
     /// Shifts the stored spans after an edit.
     pub fn shift(&mut self, shift: &Shift) {
         self.g90_alone = self.g90_alone.map(|span| shift.span(span));
         self.repeated = self.repeated.map(|span| shift.span(span));
+        self.last_taper = self.last_taper.map(|last| TaperedPass { span: shift.span(last.span), ..last });
     }
 }
 

@@ -344,8 +344,15 @@ fn r_not_extended(words: &Words) -> Vec<Mutant> {
             _ => return None,
         };
         let drawn = (1000.0 * word.value * share).round() / 1000.0;
-        is_round(drawn).then(|| format!("R{drawn}"))
+        (is_round(drawn) && !steeper_pass_follows(words, word, drawn)).then(|| format!("R{drawn}"))
     })
+}
+
+/// Whether the next pass has the same ends and a greater R than `taper`: then the pass at `word` changes nothing in the part.
+fn steeper_pass_follows(words: &Words, word: &Word, taper: f64) -> bool {
+    let mut next = words.words.iter().filter(|other| other.block > word.block);
+    next.find(|other| matches!(other.address, 'G' | 'X' | 'Z' | 'U' | 'W' | 'R'))
+        .is_some_and(|other| other.address == 'R' && other.value * taper > taper * taper)
 }
 
 fn is_round(length: f64) -> bool {
