@@ -979,8 +979,11 @@ impl Writer<'_> {
         let code = self.code_of(motion).unwrap_or("G00");
         let from = if motion.process.uncertain { motion.from } else { Point::default() };
         let (x, z) = if motion.process.uncertain { ('U', 'W') } else { ('X', 'Z') };
-        let way = decimal(Diameter::from_radius(motion.to.x - from.x).mm());
-        let _ = write!(self.out, "{code} {x}{way} {z}{}", decimal(motion.to.z - from.z));
+        // The way between rounded ends, so that the rounding of many moves does not add up.
+        let way = |to: f64, from: f64| decimal(thousandth(to) - thousandth(from));
+        let diameter = |radius: f64| Diameter::from_radius(radius).mm();
+        let (along_x, along_z) = (way(diameter(motion.to.x), diameter(from.x)), way(motion.to.z, from.z));
+        let _ = write!(self.out, "{code} {x}{along_x} {z}{along_z}");
         if let Some(rotary) = motion.rotary {
             let _ = match self.turns_by_way {
                 // H makes C an axis; without M45, C in a cut is a chamfer.
@@ -1070,6 +1073,11 @@ fn feed_of(motion: &Motion) -> Option<f64> {
         (_, _, Feed::PerMinute(feed) | Feed::PerTurn(feed)) => Some(feed),
         (_, _, Feed::Unset) => None,
     }
+}
+
+/// A length rounded to a thousandth.
+fn thousandth(value: f64) -> f64 {
+    (1000.0 * value).round() / 1000.0
 }
 
 /// A length with a decimal point, to a thousandth: `20.`, `-0.5`.

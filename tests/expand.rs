@@ -442,6 +442,15 @@ proptest! {
     }
 }
 
+/// Seven passes by U and W: the rounding of their ends does not add up.
+#[test]
+fn the_rounding_of_increments_does_not_add_up() {
+    check(
+        "O1\nG21 G99 T0101\nG97 S800 M03\nG00 X62. Z5.\nG180G00 X62. Z2.\nG72 W1. R.5\nG72 P10 Q20 U.4 W.1 F.3\n\
+         N10 G00 X20.\nG01 X54.5 Z-2\nN20 X60.\nG00 X100. Z100.\nM30\n",
+    );
+}
+
 /// Codes in the block of the program number of a subprogram stay in force.
 #[test]
 fn codes_beside_the_number_of_a_subprogram_hold() {
