@@ -15,7 +15,7 @@ const DOCUMENT: &str = "www/docs/library.md";
 
 /// The module of the package contains all parts of the page, and cargo builds it without link-time
 /// optimisation.
-const MODULE: Budget = Budget { name: "the module of the package", bytes: 960_000 };
+const MODULE: Budget = Budget { name: "the module of the package", bytes: 1_150_000 };
 
 /// The output of the examples: the number of motions, and a message about the missing feed rate.
 const PRINTED: [&str; 2] = ["1 [", "line 2: "];
