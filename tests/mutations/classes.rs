@@ -350,9 +350,13 @@ fn r_not_extended(words: &Words) -> Vec<Mutant> {
 
 /// Whether the next pass has the same ends and a greater R than `taper`: then the pass at `word` changes nothing in the part.
 fn steeper_pass_follows(words: &Words, word: &Word, taper: f64) -> bool {
-    let mut next = words.words.iter().filter(|other| other.block > word.block);
-    next.find(|other| matches!(other.address, 'G' | 'X' | 'Z' | 'U' | 'W' | 'R'))
-        .is_some_and(|other| other.address == 'R' && other.value * taper > taper * taper)
+    let Some(next) = words.words.iter().find(|other| other.block > word.block).map(|next| next.block) else {
+        return false;
+    };
+    let value = |block: usize, address: char| words.find(block, address).map(|found| found.value);
+    let is_other = |address: char| value(next, address).is_some_and(|end| value(word.block, address) != Some(end));
+    let steeper = value(next, 'R').is_some_and(|other| other * taper > taper * taper);
+    steeper && !['G', 'X', 'Z', 'U', 'W'].into_iter().any(is_other)
 }
 
 fn is_round(length: f64) -> bool {
