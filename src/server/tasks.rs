@@ -1,0 +1,169 @@
+//! Requests about documents: which there are, what each needs, and how it is answered.
+//!
+//! In: a method and its parameters. Out: a [`Task`], which waits until its document is prepared.
+
+use gen_lsp_types::{
+    CodeAction, CodeActionRequest, CompletionRequest, DefinitionParams, DocumentDiagnosticRequest,
+    DocumentHighlightRequest, DocumentLinkRequest, DocumentSymbolRequest, FoldingRangeRequest, HoverRequest,
+    InlayHintRequest, LspRequestMethod, PrepareRenameRequest, ReferencesRequest, RenameRequest, Request,
+    SemanticTokensRangeRequest, SemanticTokensRequest, SignatureHelpRequest, TextDocumentIdentifier,
+    TextDocumentPositionParams, Uri, WorkspaceSymbolParams,
+};
+use serde_json::Value;
+
+use super::context::{Asked, Context};
+use super::document::Need;
+use super::message::{Failure, Id, Reason};
+use super::{
+    actions, completion, diagnostics, hints, hover, links, navigation, rename, signature, symbols, tokens,
+};
+
+/// A request that is not answered yet.
+pub struct Task {
+    /// The id of the request.
+    pub id: Id,
+    /// The document that has to be prepared.
+    pub subject: Option<Subject>,
+    /// Makes the answer.
+    pub answer: Answer,
+}
+
+/// A document, and what has to be prepared of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Subject {
+    /// The document.
+    pub uri: Uri,
+    /// What the request needs.
+    pub need: Need,
+}
+
+/// Makes the answer to a request.
+pub type Answer = Box<dyn FnOnce(&Context) -> Result<Value, Failure>>;
+
+/// The parsed parameters of a request.
+type Parsed = Result<(Option<Subject>, Answer), Failure>;
+
+/// The task of a request; `None` if the server does not have the method.
+pub fn task(id: Id, method: &str, params: Value) -> Option<Result<Task, Failure>> {
+    let parsed = parse(method.into(), params)?;
+    Some(parsed.map(|(subject, answer)| Task { id, subject, answer }))
+}
+
+fn parse(method: LspRequestMethod, params: Value) -> Option<Parsed> {
+    use LspRequestMethod as Method;
+    Some(match method {
+        Method::TextDocumentDiagnostic => about::<DocumentDiagnosticRequest>(
+            params,
+            |p| (&p.text_document, Need::Messages),
+            diagnostics::pulled,
+        ),
+        Method::TextDocumentCodeAction => {
+            about::<CodeActionRequest>(params, |p| (&p.text_document, Need::Messages), actions::actions)
+        }
+        Method::CodeActionResolve => resolve(params),
+        Method::TextDocumentHover => {
+            about::<HoverRequest>(params, |p| place(&p.text_document_position_params), hover::hover)
+        }
+        Method::TextDocumentCompletion => about::<CompletionRequest>(
+            params,
+            |p| place(&p.text_document_position_params),
+            completion::completion,
+        ),
+        Method::TextDocumentSignatureHelp => about::<SignatureHelpRequest>(
+            params,
+            |p| place(&p.text_document_position_params),
+            signature::signature,
+        ),
+        Method::TextDocumentDocumentSymbol => {
+            about::<DocumentSymbolRequest>(params, |p| (&p.text_document, Need::Text), symbols::symbols)
+        }
+        Method::TextDocumentFoldingRange => {
+            about::<FoldingRangeRequest>(params, |p| (&p.text_document, Need::Text), symbols::folds)
+        }
+        Method::TextDocumentReferences => about::<ReferencesRequest>(
+            params,
+            |p| text(&p.text_document_position_params),
+            navigation::references,
+        ),
+        Method::TextDocumentDocumentHighlight => about::<DocumentHighlightRequest>(
+            params,
+            |p| text(&p.text_document_position_params),
+            navigation::highlights,
+        ),
+        Method::TextDocumentPrepareRename => {
+            about::<PrepareRenameRequest>(params, |p| text(&p.text_document_position_params), rename::prepare)
+        }
+        Method::TextDocumentRename => {
+            about::<RenameRequest>(params, |p| text(&p.text_document_position_params), rename::rename)
+        }
+        Method::TextDocumentSemanticTokensFull => {
+            about::<SemanticTokensRequest>(params, |p| (&p.text_document, Need::Text), tokens::whole)
+        }
+        Method::TextDocumentSemanticTokensRange => {
+            about::<SemanticTokensRangeRequest>(params, |p| (&p.text_document, Need::Text), tokens::part)
+        }
+        Method::TextDocumentInlayHint => {
+            about::<InlayHintRequest>(params, |p| (&p.text_document, Need::Hints(p.range)), hints::hints)
+        }
+        Method::TextDocumentDocumentLink => {
+            about::<DocumentLinkRequest>(params, |p| (&p.text_document, Need::Text), links::links)
+        }
+        Method::TextDocumentDefinition => definition(params),
+        Method::WorkspaceSymbol => workspace_symbols(params),
+        _ => return None,
+    })
+}
+
+/// A request about one document. `subject`: the document, and what has to be prepared of it.
+fn about<R: Request>(
+    params: Value,
+    subject: fn(&R::Params) -> (&TextDocumentIdentifier, Need),
+    answer: fn(&Asked, &R::Params) -> Result<R::Result, Failure>,
+) -> Parsed {
+    let params: R::Params = read(params)?;
+    let (document, need) = subject(&params);
+    let uri = document.uri.clone();
+    let subject = Subject { uri: uri.clone(), need };
+    Ok((Some(subject), Box::new(move |context| written(&answer(&context.asked(&uri)?, &params)?))))
+}
+
+fn definition(params: Value) -> Parsed {
+    let params: DefinitionParams = read(params)?;
+    let uri = params.text_document_position_params.text_document.uri.clone();
+    let subject = Subject { uri: uri.clone(), need: Need::Text };
+    let answer = move |context: &Context| written(&navigation::definition(context, &uri, &params)?);
+    Ok((Some(subject), Box::new(answer)))
+}
+
+fn resolve(params: Value) -> Parsed {
+    let action: CodeAction = read(params)?;
+    let address = action.data.as_ref().and_then(|data| data.get("address")?.as_str());
+    let uri = address
+        .map(Uri::from)
+        .ok_or_else(|| Failure::new(Reason::InvalidParams, "the action has no `data`"))?;
+    let subject = Subject { uri: uri.clone(), need: Need::Text };
+    let answer = move |context: &Context| written(&actions::resolved(&context.asked(&uri)?, &action)?);
+    Ok((Some(subject), Box::new(answer)))
+}
+
+fn workspace_symbols(params: Value) -> Parsed {
+    let params: WorkspaceSymbolParams = read(params)?;
+    Ok((None, Box::new(move |context| written(&symbols::programs(context, &params)?))))
+}
+
+fn place(at: &TextDocumentPositionParams) -> (&TextDocumentIdentifier, Need) {
+    (&at.text_document, Need::Place(at.position))
+}
+
+fn text(at: &TextDocumentPositionParams) -> (&TextDocumentIdentifier, Need) {
+    (&at.text_document, Need::Text)
+}
+
+/// Reads parameters.
+pub fn read<P: serde::de::DeserializeOwned>(params: Value) -> Result<P, Failure> {
+    serde_json::from_value(params).map_err(|error| Failure::new(Reason::InvalidParams, error.to_string()))
+}
+
+fn written(result: &impl serde::Serialize) -> Result<Value, Failure> {
+    serde_json::to_value(result).map_err(|error| Failure::new(Reason::RequestFailed, error.to_string()))
+}

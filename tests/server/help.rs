@@ -1,0 +1,207 @@
+//! Hover, completion, signatures, symbols, folding, tokens, hints and links. The values are worked out by
+//! hand.
+
+use gcode_playground::server::host::NoFiles;
+use serde_json::{Value, json};
+
+use super::client::{Client, PART, at, range, usual_capabilities};
+
+/// From X50 Z-20, U4 leads to a diameter of 54 mm and W-5 to Z-25. U8 is executed twice.
+const INCREMENTS: &str = "\
+O1
+T0101 M3 S800 G99
+G00 X50 Z2
+G01 Z-20 F0.2
+U4
+W-5
+M98 P20002
+M30
+O2
+U8
+M99
+";
+
+#[test]
+fn a_hover_explains_the_word() {
+    let mut client = Client::new();
+    client.open(INCREMENTS);
+    let hover = client.at("textDocument/hover", 4, 1);
+    assert_eq!(hover["range"], range((4, 0), (4, 2)));
+    assert_eq!(hover["contents"]["kind"], "markdown");
+    let text = hover["contents"]["value"].as_str().expect("a text");
+    assert!(text.starts_with("**U4**: ") && text.contains("* From Ø50 mm to Ø54 mm."), "{text}");
+    assert_eq!(
+        client.at("textDocument/hover", 7, 99)["range"],
+        range((7, 0), (7, 3)),
+        "the word that ends there"
+    );
+    let mut plain = Client::with(json!({}));
+    plain.open(INCREMENTS);
+    let hover = plain.at("textDocument/hover", 4, 1);
+    assert_eq!(hover["contents"]["kind"], "plaintext");
+    assert!(hover["contents"]["value"].as_str().is_some_and(|text| text.starts_with("U4: ")), "{hover}");
+}
+
+#[test]
+fn hints_show_where_increments_lead() {
+    let mut client = Client::new();
+    client.open(INCREMENTS);
+    let hints = |client: &mut Client, range: Value| {
+        let params = json!({"textDocument": {"uri": PART}, "range": range});
+        let hints = client.request("textDocument/inlayHint", params);
+        let row = |hint: &Value| {
+            let number = |name: &str| hint["position"][name].as_u64().expect("a number");
+            (number("line"), number("character"), hint["label"].as_str().expect("a label").to_owned())
+        };
+        hints.as_array().expect("a list").iter().map(row).collect::<Vec<_>>()
+    };
+    let all = hints(&mut client, range((0, 0), (11, 0)));
+    assert_eq!(all, [(4, 2, "X54".to_owned()), (5, 3, "Z-25".to_owned())]);
+    assert_eq!(hints(&mut client, range((5, 0), (5, 0))), [(5, 3, "Z-25".to_owned())]);
+    client.change(json!([{"range": range((4, 1), (4, 2)), "text": "10"}]));
+    assert_eq!(hints(&mut client, range((4, 0), (4, 0))), [(4, 3, "X60".to_owned())]);
+}
+
+#[test]
+fn completion_proposes_values_and_replaces_what_was_typed() {
+    let mut client = Client::with_setup(r#"{"stock": {"diameter": 40, "length": 60}}"#);
+    client.open("O1\nT0101 M3 S800 F0.2\nG00 X42 Z2\nG01 X\n");
+    let list = client.at("textDocument/completion", 3, 5);
+    let items = list["items"].as_array().expect("a list");
+    let labels: Vec<&str> = items.iter().filter_map(|item| item["label"].as_str()).collect();
+    assert_eq!(labels, ["X40", "X42", "X0"], "the blank, the tool, the axis");
+    assert_eq!(items[0]["textEdit"], json!({"range": range((3, 4), (3, 5)), "newText": "X40"}));
+    assert_eq!((&items[0]["sortText"], &items[1]["sortText"]), (&json!("0000"), &json!("0001")));
+    client.change(json!([{"range": range((3, 5), (3, 5)), "text": "30 "}]));
+    let mut params = at(3, 8);
+    params["context"] = json!({"triggerKind": 3});
+    assert_eq!(client.request("textDocument/completion", params), Value::Null, "nobody asked for a list");
+}
+
+#[test]
+fn a_cycle_is_a_snippet_with_fields() {
+    let text = "O1\nT0101 M3 S800 F0.2\nG00 X42 Z2\nrough\n";
+    let item = |client: &mut Client| {
+        client.open(text);
+        let list = client.at("textDocument/completion", 3, 5);
+        let mut items = list["items"].as_array().expect("a list").clone().into_iter();
+        items.find(|item| item["label"].as_str().is_some_and(|label| label.starts_with("G71"))).expect("G71")
+    };
+    let snippet = item(&mut Client::new());
+    assert_eq!((&snippet["insertTextFormat"], &snippet["kind"]), (&json!(2), &json!(15)));
+    assert_eq!(snippet["filterText"], "rough", "or the client would drop it");
+    assert!(
+        snippet["textEdit"]["newText"].as_str().is_some_and(|text| text.starts_with("G71 U${1:")),
+        "{snippet}"
+    );
+    let plain = item(&mut Client::with(json!({})));
+    assert_eq!(plain.get("insertTextFormat"), None);
+    assert!(plain["textEdit"]["newText"].as_str().is_some_and(|text| !text.contains('$')), "{plain}");
+}
+
+#[test]
+fn a_signature_marks_the_word_at_the_cursor() {
+    let mut client = Client::new();
+    client.open("O1\nT0101 M3 S800\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nM30\n");
+    let help = client.at("textDocument/signatureHelp", 3, 6);
+    let signature = &help["signatures"][0];
+    let label = signature["label"].as_str().expect("a label");
+    assert!(label.starts_with("G90 [X/U] [Z/W]"), "of a modal cycle all words can be left out: {label}");
+    assert_eq!((&help["activeSignature"], &help["activeParameter"]), (&json!(0), &json!(0)));
+    assert_eq!(signature["parameters"][1]["label"], json!([10, 15]), "[Z/W]");
+    assert_eq!(client.at("textDocument/signatureHelp", 3, 10)["activeParameter"], 1);
+    assert_eq!(client.at("textDocument/signatureHelp", 4, 3), Value::Null, "M30 has no words");
+}
+
+const TWO_PROGRAMS: &str = "O1 (A)\nT0101\nG0 X1\nM98 P2\nM30\nO2 (B)\nM99\n";
+
+#[test]
+fn symbols_are_nested_as_in_the_outline() {
+    let mut client = Client::new();
+    client.open(TWO_PROGRAMS);
+    let symbols = client.whole("textDocument/documentSymbol");
+    let tool = json!({
+        "name": "T0101", "kind": 5, "range": range((1, 0), (4, 3)), "selectionRange": range((1, 0), (1, 5)),
+    });
+    let expected = json!([
+        {"name": "O1", "detail": "A", "kind": 2, "range": range((0, 0), (4, 3)),
+         "selectionRange": range((0, 0), (0, 6)), "children": [tool]},
+        {"name": "O2", "detail": "B", "kind": 2, "range": range((5, 0), (6, 3)), "selectionRange": range((5, 0), (5, 6))},
+    ]);
+    assert_eq!(symbols, expected);
+    let mut flat = Client::with(json!({}));
+    flat.open(TWO_PROGRAMS);
+    let symbols = flat.whole("textDocument/documentSymbol");
+    let names: Vec<_> = symbols.as_array().expect("a list").iter().map(|symbol| &symbol["name"]).collect();
+    assert_eq!(names, ["O1", "T0101", "O2"]);
+    assert_eq!(symbols[1]["location"], json!({"uri": PART, "range": range((1, 0), (1, 5))}));
+}
+
+#[test]
+fn programs_and_tools_can_be_folded() {
+    let mut client = Client::new();
+    client.open(TWO_PROGRAMS);
+    let folds = client.whole("textDocument/foldingRange");
+    let lines = |fold: &Value| (fold["startLine"].as_u64(), fold["endLine"].as_u64());
+    let lines: Vec<_> = folds.as_array().expect("a list").iter().map(lines).collect();
+    assert_eq!(lines, [(Some(0), Some(4)), (Some(1), Some(4)), (Some(5), Some(6))]);
+}
+
+#[test]
+fn programs_of_all_documents_are_found() {
+    let mut client = Client::new();
+    client.open(TWO_PROGRAMS);
+    client.open_as("file:///shaft.nc", "O2000 (SHAFT)\nM99\n");
+    let found = |client: &mut Client, query: &str| {
+        let found = client.request("workspace/symbol", json!({"query": query}));
+        let name = |symbol: &Value| symbol["name"].as_str().expect("a name").to_owned();
+        found.as_array().expect("a list").iter().map(name).collect::<Vec<_>>()
+    };
+    assert_eq!(found(&mut client, "O2"), ["O2", "O2000"]);
+    assert_eq!(found(&mut client, "shaft"), ["O2000"]);
+    assert_eq!(found(&mut client, "").len(), 3);
+    assert_eq!(found(&mut client, "X"), Vec::<String>::new());
+}
+
+#[test]
+fn tokens_are_relative_to_each_other() {
+    let mut client = Client::new();
+    client.open("G00 X1 (外)\nN10 M30\n");
+    // Line, start, length, type (keyword, variable, comment; label, function), modifiers.
+    let expected =
+        [[0, 0, 3, 1, 0], [0, 4, 2, 3, 0], [0, 3, 3, 0, 0], [1, 0, 3, 5, 0], [0, 4, 3, 2, 0]].concat();
+    assert_eq!(client.whole("textDocument/semanticTokens/full")["data"], json!(expected));
+    let params = json!({"textDocument": {"uri": PART}, "range": range((1, 2), (1, 3))});
+    let part = client.request("textDocument/semanticTokens/range", params);
+    assert_eq!(part["data"], json!([[1, 0, 3, 5, 0], [0, 4, 3, 2, 0]].concat()), "whole lines");
+}
+
+#[test]
+fn tokens_of_a_long_text_are_sent_in_parts_only() {
+    let mut client = Client::new();
+    let text = "G01 X10. Z-5.\n".repeat((2 << 20) / 14 + 1);
+    client.open(&text);
+    assert_eq!(client.whole("textDocument/semanticTokens/full"), Value::Null);
+    let params = json!({"textDocument": {"uri": PART}, "range": range((70_000, 0), (70_000, 1))});
+    let part = client.request("textDocument/semanticTokens/range", params);
+    let expected = [[70_000, 0, 3, 1, 0], [0, 4, 4, 3, 0], [0, 5, 4, 3, 0]].concat();
+    assert_eq!(part["data"], json!(expected));
+}
+
+#[test]
+fn rules_in_comments_lead_to_their_pages() {
+    let text = "(RULES NO-PROGRAM-END=OFF CLASSROOM=WARNING)\nG00 X50\nM30\n";
+    let options = json!({"pages": "https://example.org"});
+    let params = json!({"capabilities": usual_capabilities(), "initializationOptions": options});
+    let mut client = Client::begun(NoFiles::default(), params);
+    client.open(text);
+    let target = "https://example.org/rules/en/no-program-end.html";
+    assert_eq!(
+        client.whole("textDocument/documentLink"),
+        json!([{"range": range((0, 7), (0, 21)), "target": target}])
+    );
+    let mut without = Client::new();
+    without.open(text);
+    assert_eq!(without.whole("textDocument/documentLink"), json!([]));
+    assert_eq!(without.error("textDocument/documentLink", at(0, 0)["position"].clone()), -32602);
+}
