@@ -225,6 +225,10 @@ test('texts that look like scripts are not executed anywhere', { tag: '@night' }
     'fit',
     'turret',
     'caption',
+    'speed',
+    'height',
+    'rows-min',
+    'rows-max',
     'split',
     'hints',
   ];

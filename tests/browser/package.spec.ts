@@ -97,7 +97,8 @@ test('the list of attributes matches the element', async ({ page }) => {
         readonly observedAttributes: readonly string[];
         readonly prototype: object;
       };
-      return { observed: element.observedAttributes, properties: Object.getOwnPropertyNames(element.prototype) };
+      const classes = [element.prototype, Object.getPrototypeOf(element.prototype) as object];
+      return { observed: element.observedAttributes, properties: classes.flatMap(Object.getOwnPropertyNames) };
     });
     expect(declared?.attributes.map(({ name }) => name).sort()).toEqual([...observed].sort());
     for (const { name } of declared?.members ?? []) expect(properties).toContain(name);
@@ -168,16 +169,22 @@ test('the package works in TypeScript in strict mode', async () => {
     import { check, motions, svg, type Diagnostic, type Setup } from 'gcode-playground';
     import type { GcodePlayground } from 'gcode-playground/element.js';
     import type {} from 'gcode-playground/react';
+    import type {} from 'gcode-playground/preact';
+    import type {} from 'gcode-playground/solid';
     import type { JSX } from 'react';
+    import type { JSX as PreactJSX } from 'preact';
+    import type { JSX as SolidJSX } from 'solid-js/jsx-runtime';
     const setup: Setup = { stock: { diameter: 60, length: 80 }, tools: { T0101: { type: 'boring' } }, rules: { classroom: 'off' } };
     check('', setup);
     // @ts-expect-error: no such key.
     check('', { stok: 1 });
-    // @ts-expect-error: a blank has a length.
-    check('', { stock: { diameter: 60 } });
+    // @ts-expect-error: a point of the outline has X and Z.
+    check('', { stock: { outline: [[30]] } });
     export const props: JSX.IntrinsicElements['gcode-playground'] = { value: 'G00 X50', setup, blockSkip: '1', 'ongcode-change': ({ detail }) => console.log(detail.value) };
     // @ts-expect-error: no such view.
     export const wrong: JSX.IntrinsicElements['gcode-playground'] = { view: 'nothing' };
+    export const inPreact: PreactJSX.IntrinsicElements['gcode-playground'] = { class: 'wide', speed: 5, 'ongcode-cursor': ({ detail }) => console.log(detail.column) };
+    export const inSolid: SolidJSX.IntrinsicElements['gcode-playground'] = { class: 'wide', 'prop:value': 'G00 X50', 'on:gcode-error': ({ detail }) => console.log(detail.message) };
     const found: Diagnostic[] = check('G00 X50', { dialect: { control: 'gsk' } }, { language: 'zh' });
     export const lines: number[] = found.map(({ line }) => line);
     export const ends: number[] = motions('G00 X50').map(({ to }) => to.x);
@@ -185,18 +192,29 @@ test('the package works in TypeScript in strict mode', async () => {
     export function use(element: GcodePlayground): void {
       element.setup = { stock: { diameter: 60, length: 80 } };
       element.addEventListener('gcode-report', ({ detail }) => console.log(detail.summary.motions, detail.diagnostics[0]?.message));
+      element.addEventListener('gcode-step', ({ detail }) => console.log(detail.readout?.stroke.line));
       document.querySelector('gcode-playground')?.play();
+      void element.seek({ line: 4 }).then((readout) => console.log(readout?.share, element.summary?.motions, element.diagnostics.length));
+      // @ts-expect-error: a position has one key of three.
+      void element.seek({ block: 4 });
     }
   `,
   );
-  // The parts of React's types that ours need.
-  const react = join(project, 'node_modules', 'react');
-  await mkdir(react, { recursive: true });
-  await writeFile(join(react, 'package.json'), JSON.stringify({ name: 'react', types: 'index.d.ts' }));
-  await writeFile(
-    join(react, 'index.d.ts'),
-    'export interface HTMLAttributes<T> { className?: string }\nexport type DetailedHTMLProps<E, T> = E;\nexport namespace JSX { interface IntrinsicElements {} }\n',
-  );
+  // The parts of the types of these packages that ours need.
+  const packages: Readonly<Record<string, string>> = {
+    react:
+      'export interface HTMLAttributes<T> { className?: string }\nexport type DetailedHTMLProps<E, T> = E;\nexport namespace JSX { interface IntrinsicElements {} }\n',
+    preact:
+      'export namespace Internal { interface IntrinsicElements { div: { class?: string } } }\nexport import JSX = Internal;\n',
+    'solid-js/jsx-runtime':
+      'export namespace JSX { interface HTMLAttributes<T> { class?: string }\ninterface IntrinsicElements {} }\n',
+  };
+  for (const [name, types] of Object.entries(packages)) {
+    const folder = join(project, 'node_modules', name);
+    await mkdir(folder, { recursive: true });
+    await writeFile(join(folder, 'package.json'), JSON.stringify({ name, types: 'index.d.ts' }));
+    await writeFile(join(folder, 'index.d.ts'), types);
+  }
   const config = {
     compilerOptions: {
       target: 'ES2022',

@@ -1,7 +1,7 @@
-import type { Diagnostic, FileFormat, ProgramDifference, Stroke, Summary } from './node/gcode_playground.js';
+import type { Diagnostic, FileFormat, ProgramDifference, Readout, Stroke, Summary } from './node/gcode_playground.js';
 import type { Setup } from './node/setup.js';
 
-export type { Diagnostic, FileFormat, ProgramDifference, Stroke, Summary };
+export type { Diagnostic, FileFormat, ProgramDifference, Readout, Stroke, Summary };
 export type {
   Setup,
   SetupDialect,
@@ -24,6 +24,32 @@ export interface ProgramFile {
 export interface OpenedProgram {
   readonly text: string;
   readonly file: ProgramFile | undefined;
+}
+
+/**
+ * A position of the tool: a fraction of the playback, 0 to 1; the end of a motion, from 1 (0: the start of the program);
+ * or the start of a line, from 1.
+ */
+export type SeekTarget = { readonly share: number } | { readonly motion: number } | { readonly line: number };
+
+/** The cursor: line and column in UTF-16 code units, from 1, and the offset into `opened.text`. */
+export interface CursorPlace {
+  readonly line: number;
+  readonly column: number;
+  readonly offset: number;
+}
+
+/** A failure. */
+export interface PlaygroundError {
+  /**
+   * The setup was not accepted; the program of `src`, or this part of the element, was not loaded; or the interpreter
+   * was stopped.
+   */
+  readonly kind: 'setup' | 'source' | 'interpreter' | 'parts' | 'panels' | 'editor' | 'completion';
+  /** The reason alone. For a stopped interpreter: `silent` (the run took too long) or `crashed`. */
+  readonly reason: string;
+  /** The sentence that the element shows, in its language. */
+  readonly message: string;
 }
 
 /**
@@ -71,6 +97,8 @@ export class GcodePlayground extends HTMLElement {
   annotate: string | null;
   /** A calculator over the program, such as `r-of-g90`; its result becomes the program. */
   calculator: string | null;
+  /** The address of an exercise, whose task is shown over the program. */
+  exercise: string | null;
   caption: string | null;
   /** The page that "Open in the playground" leads to; empty: no link. */
   playground: string | null;
@@ -80,16 +108,44 @@ export class GcodePlayground extends HTMLElement {
   docs: string | null;
   /** The folder of the pages of the manual. Null: `manual/` next to `element.js`; empty: no link to them. */
   manual: string | null;
+  /** The playback speed: a multiple of the machine's speed, `5`, or the duration of the whole program, `20 s`. */
+  get speed(): string | null;
+  set speed(speed: string | number | null);
+  /** `auto`: the element is as high as its contents. */
+  height: string | null;
+  /** The least number of lines of the program for which an element with `height="auto"` has room. */
+  get rowsMin(): string | null;
+  set rowsMin(rows: string | number | null);
+  /** The largest number of lines; a longer program scrolls. */
+  get rowsMax(): string | null;
+  set rowsMax(rows: string | number | null);
   /** Any text with which the page identifies the program. */
   origin: string | null;
   /** Resolves to the number of the run once everything of that run is shown. */
   readonly settled: Promise<number>;
+  /** The problems of the current program, frozen, with offsets into `opened.text`; empty until it is checked. */
+  readonly diagnostics: readonly Diagnostic[];
+  /** Figures of the current program, frozen; undefined until it is checked. */
+  readonly summary: Summary | undefined;
+  /** Whether the tool is moving along the path. */
+  readonly playing: boolean;
+  /** The position of the tool, frozen, with offsets into `opened.text`; undefined if the whole path is shown. */
+  readonly readout: Readout | undefined;
+  /** Plays from the position of the tool, or from the start. */
   play(): void;
   pause(): void;
+  /**
+   * Moves the tool, once the program has run. Null shows the whole path. Resolves to the position of the tool; undefined
+   * if the whole path is shown. Throws a `RangeError` for an impossible position.
+   */
+  seek(to: SeekTarget | null): Promise<Readout | undefined>;
+  /** Opens a file as the program; undo restores the replaced one. */
   openFile(file: File): Promise<void>;
+  /** Saves the program as a file, in the encoding and with the line ends of its file. */
   saveFile(): void;
   /** Keeps the current part, to compare the parts of later programs with it. */
   keepPart(): void;
+  /** Ends the comparison that `keepPart` began. */
   endComparison(): void;
   /** The tool position, in the format of `step`; null if the whole path is shown. */
   currentStep(): Promise<string | null>;
@@ -124,15 +180,46 @@ export class GcodePlayground extends HTMLElement {
 /** Replaces marked `script` and `pre` elements that were added to the page after it was parsed. */
 export function upgrade(root?: ParentNode): void;
 
+/** The events of the element. They bubble. */
 export interface GcodePlaygroundEvents {
+  /** The reader has changed the program. */
   'gcode-change': CustomEvent<{ readonly value: string }>;
-  'gcode-report': CustomEvent<{ readonly summary: Summary; readonly diagnostics: readonly Diagnostic[] }>;
+  /** The reader has moved the cursor. */
+  'gcode-cursor': CustomEvent<CursorPlace>;
+  /** The program is checked. Until the part is machined, `complete` is false and messages about collisions are missing. */
+  'gcode-report': CustomEvent<{
+    readonly summary: Summary;
+    readonly diagnostics: readonly Diagnostic[];
+    readonly complete: boolean;
+  }>;
+  /** Everything of a run is shown. */
   'gcode-settled': CustomEvent<{ readonly run: number }>;
+  /** The learner has checked the program of an exercise; `hints` is the number of open hints. */
+  'gcode-checked': CustomEvent<{
+    readonly id: string;
+    readonly passed: boolean;
+    readonly hints: number;
+    readonly checks: readonly { readonly name: string; readonly passed: boolean }[];
+  }>;
+  /** A setup was not accepted, or something could not be loaded. */
+  'gcode-error': CustomEvent<PlaygroundError>;
+  /** The playback has begun. */
+  'gcode-play': CustomEvent<{ readonly readout: Readout | undefined }>;
+  /** The playback has paused or ended. */
+  'gcode-pause': CustomEvent<{ readonly readout: Readout | undefined }>;
+  /** The tool is in another motion, or was moved within it. */
+  'gcode-step': CustomEvent<{ readonly readout: Readout | undefined }>;
+  /** The reader has selected a stroke of the drawing. */
   'gcode-select': CustomEvent<{ readonly stroke: Stroke }>;
+  /** The reader has changed block skip or the program that is run. */
   'gcode-switch': CustomEvent<{ readonly blockSkip: string | null; readonly program: string | null }>;
+  /** The setup form has changed the attribute `setup`. */
   'gcode-setup': CustomEvent<{ readonly setup: string | null }>;
+  /** The reader has followed an introductory hint; `left` are the remaining ones. */
   'gcode-hint': CustomEvent<{ readonly left: string }>;
+  /** The reader has dragged the line between program and drawing; `split` is the program's share in percent. */
   'gcode-split': CustomEvent<{ readonly split: string }>;
+  /** The reader has replaced the program by another one, or undo has restored one. The attributes have these values. */
   'gcode-context': CustomEvent<{
     readonly control: string | null;
     readonly setup: string | null;
@@ -143,8 +230,8 @@ export interface GcodePlaygroundEvents {
 }
 
 /**
- * Attributes of the element in JSX: its properties, and handlers of its events. For React, use `import type {} from
- * 'gcode-playground/react'`.
+ * Attributes of the element in JSX: its properties, and handlers of its events. `import type {} from
+ * 'gcode-playground/react'` (or `preact`, `solid`) adds the element to the JSX of the framework.
  */
 export type GcodePlaygroundProps = Partial<
   Pick<
@@ -167,15 +254,20 @@ export type GcodePlaygroundProps = Partial<
     | 'turret'
     | 'annotate'
     | 'calculator'
+    | 'exercise'
     | 'caption'
     | 'playground'
     | 'rules'
     | 'docs'
     | 'manual'
+    | 'height'
     | 'origin'
   >
 > & {
   readonly setup?: Setup | string | null;
+  readonly speed?: string | number | null;
+  readonly rowsMin?: string | number | null;
+  readonly rowsMax?: string | number | null;
 } & { readonly [Event in keyof GcodePlaygroundEvents as `on${Event}`]?: (event: GcodePlaygroundEvents[Event]) => void };
 
 declare global {

@@ -1,6 +1,6 @@
 // A page for frames that contains a single element. The address has its program and attributes after `#`, each
 // percent-encoded. `program` is the text of the program; the O number to run is in `setup`. Instead, `src` may name a
-// program file.
+// program file. With `height=auto` the page reports the height of the element to the page around the frame.
 import { GcodePlayground } from './element.js';
 
 /** The playground of this copy's publisher, from `<meta name="playground" content="…">`. */
@@ -11,8 +11,9 @@ const isFramed = window.top !== window;
 
 const element = document.createElement('gcode-playground');
 document.body.style.margin = '0';
-// As high as the frame, whose height is set by the host page.
+// As high as the frame, whose height is set by the host page, unless it is the height of the contents.
 element.style.setProperty('--playground-height', '100vh');
+new ResizeObserver(tellHeight).observe(element);
 
 function show() {
   const said = new URLSearchParams(location.hash.slice(1));
@@ -64,6 +65,13 @@ function isTrusted(address) {
   } catch {
     return false;
   }
+}
+
+/** Anyone may know the height, so the message is for any origin. */
+function tellHeight() {
+  if (!isFramed || element.height !== 'auto') return;
+  const height = Math.ceil(element.getBoundingClientRect().height);
+  window.parent.postMessage({ type: 'gcode-playground:height', height }, '*');
 }
 
 show();

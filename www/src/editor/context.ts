@@ -5,9 +5,17 @@
 // context.
 
 import { invertedEffects } from '@codemirror/commands';
-import { EditorState, StateEffect, type Extension, type Transaction, type TransactionSpec } from '@codemirror/state';
+import {
+  EditorState,
+  StateEffect,
+  type Extension,
+  type Text,
+  type Transaction,
+  type TransactionSpec,
+} from '@codemirror/state';
 import { isAnotherProgram, type Removed } from './program-replacement';
 import { lastOf } from './effects';
+import { inputOf } from './input';
 import type { ContextSource, ProgramContext } from './text-store';
 
 const setContext = StateEffect.define<ProgramContext>();
@@ -15,23 +23,48 @@ const setContext = StateEffect.define<ProgramContext>();
 /** User events of changes by the page, which never make another program. */
 const SAME_PROGRAM_EVENTS = ['input.setup', 'input.fix'] as const;
 
+/** A longer text is not blank. */
+const MAX_BLANK_LENGTH = 200;
+
+/** The program before the editor was emptied, and whether its context was dropped then. */
+interface Emptied {
+  readonly text: string;
+  readonly context: ProgramContext;
+  readonly isDropped: boolean;
+}
+
+type ContextEffect = Pick<TransactionSpec, 'effects'> | null;
+
 export function programContext(events: ContextSource): Extension {
-  /** The program before the editor was emptied: if it is cut out and pasted again, it keeps its context. */
-  let emptied: { readonly text: string; readonly context: ProgramContext } | undefined;
-  const withContext = (transaction: Transaction): Pick<TransactionSpec, 'effects'> | null => {
-    if (!transaction.docChanged || !isByUser(transaction)) return null;
-    const { doc } = transaction.startState;
-    if (doc.length === 0) {
-      const before = emptied;
-      emptied = undefined;
-      const isRestored =
-        before !== undefined &&
-        !isAnotherProgram(before.text, transaction.newDoc.toString(), [{ from: 0, to: before.text.length }]);
-      return isRestored ? { effects: setContext.of(before.context) } : null;
-    }
+  /** If this program is pasted again, it keeps its context. */
+  let emptied: Emptied | undefined;
+  const setNeutral = (): ContextEffect => ({ effects: setContext.of(events.neutral()) });
+
+  /** A text is put into an empty editor. */
+  const intoBlank = ({ newDoc }: Transaction, canReplace: boolean): ContextEffect => {
+    const before = emptied;
+    if (before === undefined || isBlank(newDoc)) return null;
+    emptied = undefined;
+    const isSame = !isAnotherProgram(before.text, newDoc.toString(), [{ from: 0, to: before.text.length }]);
+    if (before.isDropped) return isSame ? { effects: setContext.of(before.context) } : null;
+    return !isSame && canReplace ? setNeutral() : null;
+  };
+
+  /** A text changes or replaces another one. */
+  const overText = (transaction: Transaction, canReplace: boolean): ContextEffect => {
     if (!isReplacement(transaction)) return null;
-    emptied = transaction.newDoc.length === 0 ? { text: doc.toString(), context: events.context() } : undefined;
-    return { effects: setContext.of(events.neutral()) };
+    const { startState, newDoc } = transaction;
+    emptied = isBlank(newDoc)
+      ? { text: startState.doc.toString(), context: events.context(), isDropped: canReplace }
+      : undefined;
+    return canReplace ? setNeutral() : null;
+  };
+
+  const withContext = (transaction: Transaction): ContextEffect => {
+    if (!transaction.docChanged || !isByUser(transaction)) return null;
+    const canReplace = events.typedCanReplace() || inputOf([transaction]) === 'inserted';
+    const change = isBlank(transaction.startState.doc) ? intoBlank : overText;
+    return change(transaction, canReplace);
   };
   return [
     EditorState.transactionExtender.of(withContext),
@@ -53,6 +86,10 @@ export function contextOf(transactions: readonly Transaction[]): ProgramContext 
     transactions.flatMap(({ effects }) => effects),
     setContext,
   );
+}
+
+function isBlank(doc: Text): boolean {
+  return doc.length <= MAX_BLANK_LENGTH && doc.toString().trim() === '';
 }
 
 function isByUser(transaction: Transaction): boolean {

@@ -47,12 +47,12 @@ import { marks, runningLine, showHovered, showMarked, showRunning, showTokens, s
 import { contextEffect, contextOf, programContext } from './context';
 import { docOf, fileOf, fileOfText, lineEndsIn, setOriginEffect, renameEffect, textWithLineEnds } from './file';
 import { Follower } from './follow';
+import { inputOf } from './input';
 import { keepCaretInView } from './keep-caret-in-view';
 import type {
   Access,
   Change,
   EditorEvents,
-  Input,
   LineRange,
   ProgramContext,
   Span,
@@ -334,6 +334,17 @@ export class Editor implements TextStore {
     return this.#view.state.doc.lineAt(offset).number - 1;
   }
 
+  /** The start of the line of an offset. */
+  lineStart(offset: number): number {
+    return this.#view.state.doc.lineAt(offset).from;
+  }
+
+  /** Number of lines that are not folded. It is also known while the editor is outside the window, unlike its height. */
+  get rows(): number {
+    const { contentHeight, defaultLineHeight, documentPadding } = this.#view;
+    return Math.round((contentHeight - documentPadding.top - documentPadding.bottom) / defaultLineHeight);
+  }
+
   /** The lines, from 0, before which the playback pauses. */
   get breakpoints(): readonly number[] {
     return breakpointsOf(this.#view.state);
@@ -502,7 +513,7 @@ export class Editor implements TextStore {
       if (update.selectionSet || update.docChanged) this.#view.dom.classList.remove('cm-chosen');
       const context = contextOf(update.transactions);
       if (context !== undefined) this.#events.onContextChanged(context);
-      if (update.docChanged) this.#events.onTextChanged(inputOf(update));
+      if (update.docChanged) this.#events.onTextChanged(inputOf(update.transactions));
       else if (update.selectionSet) this.#events.onCursorMoved();
     }
     for (const transaction of update.transactions) {
@@ -515,20 +526,6 @@ export class Editor implements TextStore {
     if (update.docChanged ? before.length !== now.length : before !== now) this.#events.onTrialChanged();
     if (update.viewportChanged) this.#events.onViewMoved();
   }
-}
-
-/**
- * Text that was typed contains at most one line end: the keyboard of a phone inserts the clipboard without an event of
- * its own.
- */
-function inputOf({ changes, transactions }: ViewUpdate): Input {
-  const isUserEvent = (name: string): boolean => transactions.some((transaction) => transaction.isUserEvent(name));
-  if (isUserEvent('input.complete')) return 'typed';
-  let isTyped = !isUserEvent('input.paste') && !isUserEvent('input.drop');
-  changes.iterChanges((_from, _to, _newFrom, _newTo, inserted) => {
-    if (inserted.lines > 2) isTyped = false;
-  });
-  return isTyped ? 'typed' : 'inserted';
 }
 
 const WORDS = words({

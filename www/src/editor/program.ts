@@ -241,6 +241,11 @@ export class Program implements TextStore {
     return this.#editor?.lineOf(offset) ?? this.textBetween(0, offset).split('\n').length - 1;
   }
 
+  /** The start of the line at an offset. */
+  lineStart(offset: number): number {
+    return this.#editor?.lineStart(offset) ?? this.textBetween(0, offset).lastIndexOf('\n') + 1;
+  }
+
   /** The end of the line at an offset. */
   endOfLine(offset: number): number {
     const rest = this.textBetween(offset, Math.min(offset + 1000, this.length));
@@ -317,6 +322,11 @@ export class Program implements TextStore {
       at = end + 1;
     }
     return at;
+  }
+
+  /** Number of lines that are not folded. */
+  get rows(): number {
+    return this.#editor?.rows ?? this.lineOf(this.length) + 1;
   }
 
   /** Scrolls to the running block, even if the user has just scrolled elsewhere. */

@@ -56,6 +56,8 @@ export interface ContextSource {
   context(): ProgramContext;
   /** The context for a new, unrelated program. */
   neutral(): ProgramContext;
+  /** Whether a text that the user types can be another program, too, not only one that is pasted. */
+  typedCanReplace(): boolean;
 }
 
 export interface EditorEvents extends TextEvents, ContextSource {

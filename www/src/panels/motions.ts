@@ -181,7 +181,7 @@ class MotionsPanel implements Panel {
   /** Moves the tool to the end of a motion and keeps the focus in its row. */
   #goTo(motion: number): void {
     this.#activeMotion = motion;
-    void this.#shell.service('goTo')(motion);
+    void this.#shell.service('moveTool')(this.#shell.ask('go-to', { motion }));
   }
 
   /** Loads the row of the tool and scrolls it into view. */

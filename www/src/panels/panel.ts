@@ -19,6 +19,7 @@ import type {
   ExportFormat,
   PictureName,
   Pictures,
+  Pace,
   SectionScale,
   QuestionKind,
   Questions,
@@ -116,6 +117,8 @@ export interface Panel {
   onFileChanged?(file: ProgramFile | undefined): void;
   /** The state of the switches in attributes and setup has changed. */
   onSwitchesChanged?(set: SwitchState): void;
+  /** The attribute `speed` has changed. */
+  onSpeedChanged?(): void;
   /** The theme or the system colours have changed. */
   onColoursChanged?(): void;
   /** Text or setup has changed: results of the previous run must not be combined with them. */
@@ -179,10 +182,8 @@ export interface Services {
   playbackButtons(): HTMLElement;
   /** Moves the tool forward or back by one unit. */
   step(unit: StepUnit, direction: StepDirection): void;
-  /** Moves the tool to the end of a motion. */
-  goTo(motion: number): Promise<void>;
-  /** Moves the tool to the start of the block at an offset, or of the next block that moves it. */
-  goToBlock(offset: number): Promise<void>;
+  /** Stops the playback and shows the tool where the answer to a question has moved it. */
+  moveTool(answer: Promise<Readout | undefined>): Promise<void>;
   /** Plays only the block at the cursor. */
   playBlock(): void;
   /** Plays from the current position to the block at the cursor. */
@@ -244,6 +245,8 @@ export interface Shell {
   readonly calculator: string | undefined;
   /** All problems of the newest report, also those that are held back while the user types. */
   readonly diagnostics: readonly Diagnostic[];
+  /** The address of the exercise that the host page has chosen. */
+  readonly exercise: string | undefined;
   /** Whether the program text is shown, not only its results. */
   readonly showsProgram: boolean;
   /** The element that contains all regions. */
@@ -284,8 +287,14 @@ export interface Shell {
   chooseProblem(problem: Diagnostic): void;
   /** Fits the pictures again: a presentation has begun or ended. */
   refit(): void;
-  /** Tells all panels where the tool is. */
+  /** Tells all panels and the page where the tool is. */
   notifyToolMoved(place: Readout | undefined): void;
+  /** Tells the page that the playback has begun or ended. */
+  notifyPlaying(state: 'playing' | 'paused'): void;
+  /** The playback speed of the attribute `speed`; undefined: the default. */
+  readonly speed: Pace | undefined;
+  /** The user has chosen another speed, which becomes the attribute. */
+  changeSpeed(speed: Pace): void;
 
   // ---- the setup ----
   /** JSON, as in the attribute. */

@@ -12,7 +12,6 @@ import type {
   HeldBy,
   PauseConditions,
   LengthUnit,
-  Pace,
   PlayResult,
   Readout,
   StepDirection,
@@ -24,11 +23,8 @@ import type { Key, NewestQuestion, Panel, PanelKind, Services, Shell, UserComman
 import { formatCoordinate } from './lengths';
 import playbackStyles from './playback.css?inline';
 import { ReadoutBoard } from './readout';
+import { SpeedChoice } from './speed-choice';
 
-/** Durations in which the whole program can be played, s; the first is the default. */
-const WHOLE_PROGRAM_S: readonly number[] = [20, 60];
-/** Multiples of the machine's speed. */
-const SPEED_FACTORS: readonly number[] = [0.5, 1, 2, 5, 10, 50];
 const STEP_UNITS: readonly StepUnit[] = ['motion', 'block', 'pass'];
 /** A longer interval between two frames, s, is limited to this: the page was hidden, or the computer slept. */
 const MAX_FRAME_S = 0.5;
@@ -87,14 +83,13 @@ class Playback implements Panel {
   readonly #stepUnit = make('select', { className: 'speed unit' });
   readonly #wholePath = make('button', { type: 'button' }, icon('whole'));
   readonly #slider = make('input', { type: 'range', min: '0', max: '1', step: 'any', value: '0', className: 'scrub' });
-  readonly #speed = make('select', { className: 'speed' });
+  readonly #speed: SpeedChoice;
   readonly #optionalStopToggle = make(
     'button',
     { type: 'button', className: 'framed optional', 'aria-pressed': 'true', hidden: true },
     'M01',
   );
   readonly #singleBlockToggle = make('button', { type: 'button', className: 'framed single', 'aria-pressed': 'false' });
-  readonly #speedCaption = make('span');
   readonly #unitCaption = make('span');
   readonly #paceText = make('span');
   readonly #paceButton = make(
@@ -108,7 +103,6 @@ class Playback implements Panel {
   readonly #overPicture: HTMLElement;
   readonly #status = make('p', { className: 'doing', 'aria-live': 'polite' });
   readonly #readout: ReadoutBoard;
-  readonly #wholeProgramOptions = WHOLE_PROGRAM_S.map((seconds) => make('option', { value: `whole ${seconds}` }));
   /** Start of the block that is marked as running. */
   #runningBlock: number | undefined;
   #toolPlace: Readout | undefined;
@@ -136,8 +130,7 @@ class Playback implements Panel {
     playOrPause: () => this.#togglePlayback(),
     playbackButtons: () => this.#makeButtons(),
     step: (unit, direction) => this.#stepTool(unit, direction),
-    goTo: (motion) => this.#moveTool(this.#shell.ask('go-to', { motion })),
-    goToBlock: (offset) => this.#moveTool(this.#shell.ask('seek-block', { offset })),
+    moveTool: (answer) => this.#moveTool(answer),
     playBlock: () => this.#playFromHere({ block: true }),
     playToCursor: () => this.#playToCursor(),
     toggleBreakpoint: () => this.#toggleBreakpoint(),
@@ -148,15 +141,12 @@ class Playback implements Panel {
     this.#row = shell.region('playback');
     this.#seek = shell.newest('seek', (place) => this.#showTool(place));
     this.#readout = new ReadoutBoard(shell.language);
-    this.#speed.append(
-      ...this.#wholeProgramOptions,
-      ...SPEED_FACTORS.map((speed) => make('option', { value: `times ${speed}` }, `${speed}×`)),
-    );
+    this.#speed = new SpeedChoice(shell, () => this.#showPace());
     this.#stepUnit.append(...STEP_UNITS.map((unit) => make('option', { value: unit })));
     const options = make(
       'div',
       { className: 'popover pace', part: 'pace', role: 'dialog', popover: 'auto' },
-      make('label', { className: 'choice-line' }, this.#speedCaption, this.#speed),
+      make('label', { className: 'choice-line' }, this.#speed.caption, this.#speed.element),
       make('label', { className: 'choice-line' }, this.#unitCaption, this.#stepUnit),
       make('div', { className: 'choice-line' }, this.#singleBlockToggle, this.#optionalStopToggle),
       make('div', { className: 'choice-line' }, this.#fromCursor),
@@ -186,7 +176,6 @@ class Playback implements Panel {
       this.#playFromHere({});
     });
     this.#stepUnit.addEventListener('change', () => this.#nameStepButtons());
-    this.#speed.addEventListener('change', () => this.#showPace());
     this.#wholePath.addEventListener('click', () => this.#showWholePath());
     this.#slider.addEventListener('input', () => this.#scrub());
     this.#optionalStopToggle.addEventListener('click', () => {
@@ -217,11 +206,8 @@ class Playback implements Panel {
   set language(language: Language) {
     const texts = WORDS[language];
     this.#row.setAttribute('aria-label', texts.playback);
-    for (const [i, option] of this.#wholeProgramOptions.entries())
-      option.textContent = texts.wholeIn(WHOLE_PROGRAM_S[i] ?? 0);
     for (const option of this.#stepUnit.options) option.textContent = texts.units[option.value as StepUnit];
     this.#unitCaption.textContent = texts.stepBy;
-    this.#speedCaption.textContent = texts.speed;
     this.#options.setAttribute('aria-label', texts.options);
     this.#paceButton.title = texts.options;
     this.#fromCursor.replaceChildren(icon('from-here'), texts.fromHere);
@@ -233,7 +219,7 @@ class Playback implements Panel {
     this.#singleBlockToggle.title = texts.singleHint;
     setAccessibleName(this.#wholePath, texts.wholePath);
     this.#slider.setAttribute('aria-label', texts.position);
-    this.#showPace();
+    this.#speed.language = language;
     this.#readout.language = language;
     this.#nameStepButtons();
     this.#showState();
@@ -269,6 +255,10 @@ class Playback implements Panel {
   onInputChanged(): void {
     this.#stop();
     this.#revision++;
+  }
+
+  onSpeedChanged(): void {
+    this.#speed.changed();
   }
 
   onWorkerLost(): void {
@@ -345,8 +335,9 @@ class Playback implements Panel {
   }
 
   #showPace(): void {
-    setText(this.#paceText, this.#speed.selectedOptions[0]?.textContent ?? '');
-    this.#paceButton.setAttribute('aria-label', `${this.#words.options}: ${this.#paceText.textContent}`);
+    const { text } = this.#speed;
+    setText(this.#paceText, text);
+    this.#paceButton.setAttribute('aria-label', `${this.#words.options}: ${text}`);
   }
 
   get #playing(): boolean {
@@ -371,6 +362,7 @@ class Playback implements Panel {
     this.#isAsking = false;
     this.#playId++;
     this.#frame = requestAnimationFrame(this.#tick);
+    this.#shell.notifyPlaying('playing');
     this.#showState();
   }
 
@@ -447,7 +439,7 @@ class Playback implements Panel {
     const played = await this.#shell.ask('play', {
       from,
       seconds,
-      pace: this.#pace,
+      pace: this.#speed.pace,
       pauseConditions: this.#pauseConditions,
     });
     this.#shell.notifyToolMoved(played?.place);
@@ -498,13 +490,9 @@ class Playback implements Panel {
     cancelAnimationFrame(this.#frame);
     this.#frame = undefined;
     this.#playId++;
+    this.#shell.notifyPlaying('paused');
     this.#showState();
     this.#showPlace(this.#toolPlace);
-  }
-
-  get #pace(): Pace {
-    const [kind, number] = this.#speed.value.split(' ');
-    return kind === 'times' ? { kind, factor: Number(number) } : { kind: 'whole', seconds: Number(number) };
   }
 
   get #stops(): StopSwitch {
@@ -570,13 +558,11 @@ const WORDS = words({
     wholePath: 'Show the whole path',
     position: 'Position along the path',
     positionText: (x: string, z: string) => `X diameter ${x}, Z ${z}`,
-    speed: 'Speed',
     previous: { motion: 'Previous motion', block: 'Previous block', pass: 'Previous pass' },
     next: { motion: 'Next motion', block: 'Next block', pass: 'Next pass' },
     fromHere: 'Start at the block of the cursor',
     stepBy: 'Step by',
     units: { motion: 'motion', block: 'block', pass: 'pass' },
-    wholeIn: (seconds: number) => `all in ${seconds} s`,
     optionalStops: 'Optional stop',
     optionalStopsHint: 'When on, the playback stops at M01 too',
     stopped: (code: string, line: number) => `${code} in line ${line}: the program stops here. Play goes on.`,
@@ -595,13 +581,11 @@ const WORDS = words({
     wholePath: '显示完整轨迹',
     position: '在轨迹上的位置',
     positionText: (x, z) => `X 直径 ${x}，Z ${z}`,
-    speed: '速度',
     previous: { motion: '上一段运动', block: '上一程序段', pass: '上一次走刀' },
     next: { motion: '下一段运动', block: '下一程序段', pass: '下一次走刀' },
     fromHere: '从光标所在程序段开始',
     stepBy: '步进单位',
     units: { motion: '运动', block: '程序段', pass: '走刀' },
-    wholeIn: (seconds) => `全程 ${seconds} 秒`,
     optionalStops: '选择停止',
     optionalStopsHint: '打开后，播放到 M01 时也停下',
     stopped: (code, line) => `第 ${line} 行 ${code}：程序在此停止，按“播放”继续。`,
@@ -620,13 +604,11 @@ const WORDS = words({
     wholePath: 'Показать всю траекторию',
     position: 'Положение на траектории',
     positionText: (x, z) => `X диаметр ${x}, Z ${z}`,
-    speed: 'Скорость',
     previous: { motion: 'Предыдущее перемещение', block: 'Предыдущий кадр', pass: 'Предыдущий проход' },
     next: { motion: 'Следующее перемещение', block: 'Следующий кадр', pass: 'Следующий проход' },
     fromHere: 'С кадра у курсора',
     stepBy: 'Шаг',
     units: { motion: 'перемещение', block: 'кадр', pass: 'проход' },
-    wholeIn: (seconds) => `всё за ${seconds} с`,
     optionalStops: 'Останов по выбору',
     optionalStopsHint: 'Если включено, показ останавливается и на M01',
     stopped: (code, line) => `${code} в строке ${line}: здесь программа останавливается. «Пуск» — дальше.`,

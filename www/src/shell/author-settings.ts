@@ -1,12 +1,13 @@
-// The settings of the author of a page: marked and shown lines, the frame of the picture, the turret, and the caption.
+// The settings of the author of a page: marked and shown lines, the frame of the picture, the turret, the playback speed,
+// and the caption.
 //
 // In: the attributes. Out: decorations of the editor, commands for the worker, the caption. Must not know: the program,
 // or whether there is a worker.
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import { ANNOTATE_CHOICES, type AnnotateChoice, type Command } from '../protocol/protocol';
-import { FRAMES, oneOf, parseLines, SIDES, type Lines } from './author';
+import { ANNOTATE_CHOICES, type AnnotateChoice, type Command, type Pace } from '../protocol/protocol';
+import { FRAMES, oneOf, parseLines, parseSpeed, SIDES, speedText, type Lines } from './author';
 import type { Layout } from './layout';
 
 interface AuthorHost {
@@ -16,7 +17,10 @@ interface AuthorHost {
   readonly turret: string | null;
   readonly annotate: string | null;
   readonly calculator: string | null;
+  readonly exercise: string | null;
   readonly caption: string | null;
+  get speed(): string | null;
+  set speed(speed: string | number | null);
 }
 
 interface LineEditor {
@@ -58,8 +62,20 @@ export class AuthorSettings {
     return oneOf(ANNOTATE_CHOICES, this.#host.annotate) ?? 'word';
   }
 
+  get speed(): Pace | undefined {
+    return parseSpeed(this.#host.speed);
+  }
+
+  changeSpeed(speed: Pace): void {
+    this.#host.speed = speedText(speed);
+  }
+
   get calculator(): string | undefined {
     return this.#host.calculator ?? undefined;
+  }
+
+  get exercise(): string | undefined {
+    return this.#host.exercise ?? undefined;
   }
 
   showCaption(language: Language): void {

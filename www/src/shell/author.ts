@@ -1,6 +1,9 @@
-// Parses the attributes by which the author of a page sets marked lines, shown lines and the initial tool position.
+// Parses the attributes by which the author of a page sets marked lines, shown lines, the initial tool position, the
+// playback speed and the rows of an element that is as high as its contents.
 //
 // In: texts of attributes. Out: their values; an invalid text counts as missing. Must not know: the program.
+
+import type { Pace } from '../protocol/protocol';
 
 /** A range of lines, from 1, both ends included. */
 export interface Lines {
@@ -30,6 +33,38 @@ export function parseStep(attribute: string | null): Step | undefined {
   const number = Number(found?.[2] ?? 0);
   if (found === null || number < 1) return undefined;
   return found[1] === undefined ? { kind: 'motion', motion: number - 1 } : { kind: 'line', line: number };
+}
+
+/** `5`: a multiple of the machine's speed; `20 s`: the duration of the whole program. */
+export function parseSpeed(attribute: string | null): Pace | undefined {
+  const found = /^\s*(\d{1,4}(?:\.\d{1,3})?)\s*(s)?\s*$/.exec(attribute ?? '');
+  const number = Number(found?.[1] ?? 0);
+  if (number <= 0) return undefined;
+  return found?.[2] === undefined ? { kind: 'times', factor: number } : { kind: 'whole', seconds: number };
+}
+
+/** The attribute of a speed. */
+export function speedText(pace: Pace): string {
+  return pace.kind === 'times' ? String(pace.factor) : `${pace.seconds} s`;
+}
+
+/** Limits of the lines of the program for which an element has room. */
+export interface Rows {
+  readonly min: number;
+  readonly max: number;
+}
+
+const DEFAULT_ROWS: Rows = { min: 3, max: 30 };
+
+/** A maximum below the minimum counts as the minimum. */
+export function parseRows(min: string | null, max: string | null): Rows {
+  const least = parseCount(min) ?? DEFAULT_ROWS.min;
+  return { min: least, max: Math.max(least, parseCount(max) ?? DEFAULT_ROWS.max) };
+}
+
+function parseCount(attribute: string | null): number | undefined {
+  const found = /^\s*(\d{1,3})\s*$/.exec(attribute ?? '');
+  return found === null ? undefined : Math.max(1, Number(found[1]));
 }
 
 export const FRAMES = ['part', 'path'] as const;

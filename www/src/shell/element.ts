@@ -6,89 +6,31 @@
 //     G90 X50 Z-30 F0.2
 //   </gcode-playground>
 //
-// The program is loaded from the address in `src`, or is a child of the element: a script, a `pre`, or text
-// (source.ts).
+// In: attributes (element-attributes.ts), the program from its source (source.ts), methods and properties of the host
+// page. Out: the events, and the shadow DOM, which belongs to the shell: see shell.ts, and panels/panel.ts for how to
+// add to it. `www/docs/element.md` describes the interface; `www/embed/element.d.ts` has its types.
 //
-// Attributes; each of them is a property too:
-//   src       the address of the program
-//   control   fanuc | gsk | forum      overrides `dialect.control` of the setup
-//   setup     JSON (as a property also an object): start point, tools, stock, dialect switches
-//   language  en | zh | ru             language of the element and of the messages
-//   theme     auto | light | dark      auto: the theme of the page
-//   block-skip  "1,2"                  the active levels of block skip; overrides `blockSkip` of the setup
-//   program   2                        the O number of the program to run; overrides `program` of the setup
-//   view      all | picture | playback | code   picture: the drawing only; playback: with the playback bar; code: the
-//                                      program only. What is not shown is not loaded.
-//   controls  "playback status"        the groups of panels that are shown (panels/panel.ts), or none
-//   readonly                           the user cannot edit the program
-//   step      12 | line 8              initial position of the tool
-//   highlight "6-8, 12"                lines that are marked, together with their strokes
-//   lines     "3-20"                   lines that are shown initially; the others are folded
-//   fit       part | path              what the drawing is fitted to
-//   turret    front | rear
-//   calculator r-of-g90                a calculator over the program; its result becomes the program
-//   caption   a line under the element, which is also its accessible name
-//   playground https://…               target of "Open in the playground"; empty: no link
-//   rules, docs, manual https://…       the folders of the rule pages, the documents, the pages of the manual; empty: no links to them
-//   loading   lazy | eager | click     start near the viewport, immediately, or on click
-//   split     40                       width of the program beside the drawing, percent; follows the divider
-//   hints     "play pick"              the introductory hints that are still to be shown; missing: none
-//   labels                             names chuck, tool and start point on the picture, where there is room
-// The element updates `hints`, `block-skip` and `program` when the user dismisses a hint or uses a switch. A change of
-// `view`, `controls`, `readonly` or `calculator` renders the element again with the same program; the undo history is lost.
-//
-// Properties: value (the program), length (of the program, each line end counted as one), opened (the file of the
-// program, and the text with its own line ends), origin (any text by which the page identifies the program),
-// cursorLine, wholeSetup. Setting a property or an attribute fires no event; setting the current text has no effect. If
-// the user replaces most of the text, it counts as another program: the attributes of the program are removed and
-// `origin` becomes null; undo restores both. A text set by the page keeps the attributes.
-//
-// Methods: play(), pause(), openFile(file), saveFile(), exported(format) (a promise of the bytes of a file of the menu
-// "Export"), focus(), goToLine(line), keepPart() (to draw later programs over the part of this one), endComparison(),
-// differenceFrom({text, names}) (a promise of the blocks and motions in which another version differs), currentStep()
-// and pictureFile(format) (both return promises), and for tests:
-//   settled: Promise<number>   a property: resolved with the number of the run when everything is shown for the
-//                              current program, setup, language, size and colours, including the machined part.
-//                              Numbers increase with every change of text or setup. Nothing settles in a hidden tab.
-//   locate(x, z): Promise<{clientX, clientY}>   the position of a point (X a diameter, mm) in the window
-//   locateOnFace(x, c): the same for the end face
-//   locateOnSide(z, c): the same for the side, C in degrees; Y in mm if its ruler shows Y
-// Events (bubbling; only for actions of the user, and `report` for each finished run):
-//   gcode-change   detail {value}
-//   gcode-select   detail {stroke}: `from` and `to` are UTF-16 offsets into `opened.text`, which has its own line ends
-//   gcode-report   detail {summary, diagnostics}: offsets likewise, also in edits
-//   gcode-settled  detail {run}: each time that `settled` is resolved
-//   gcode-switch   detail {blockSkip, program}
-//   gcode-setup    detail {setup}: the form has changed the attribute
-//   gcode-hint     detail {left}: the remaining hints
-//   gcode-split    detail {split}: the user has dragged the divider
-//   gcode-context  detail {control, setup, blockSkip, program, origin}: another program has replaced the current one,
-//                  or undo has restored one; attributes and `origin` have the values of the detail
-// Slots: `intro` under the program; `fallback`, shown until there is a picture; `title` of the program in the row at the
-// top; `about` beside how the program was read; items of the menus: `program-menu`, `share-menu`, `help-menu`, `more-menu`.
-// CSS custom properties: --playground-height, --playground-type-size, --playground-font, --playground-code-font,
-// --playground-code-size and the tokens of tokens.css.
-// Parts: frame head menu program-menu share-menu help-menu more-menu intro bar file switches editor problems drawing canvas old-picture what-if at-cursor legend tooltip
-// setup views assumptions playback play readout doing pace time status notice hint totals units open-link motions written-out
-// rewrite codes solid paste help read-as reading profiles caption fallback.
-//
-// The shadow DOM belongs to the shell: see shell.ts, and panels/panel.ts for how to add to it.
+// Attributes for the page of the playground only, which the user changes: `split`, the program's share of the width in
+// percent; `hints`, the introductory hints that are still to be shown; `labels`, names on the picture. Methods for tests
+// only: `locate`, `locateOnFace`, `locateOnSide`.
 
 import { make } from '../dom/dom';
-import { languageOf, type Language } from '../dom/language';
 import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encoding-list';
-import type { DifferenceResult, ExportFormat, OtherVersion } from '../protocol/protocol';
+import type { Diagnostic, DifferenceResult, ExportFormat, OtherVersion, Readout, Summary } from '../protocol/protocol';
 import type { ClientPoint, Services, UserCommand } from '../panels/panel';
-import { shownControls, parseView, type View } from './layout';
+import { ElementAttributes } from './element-attributes';
+import { shownControls } from './layout';
+import { connectKeys, disconnectKeys, keepKeyInside, markAsLastUsed } from './page-keys';
 import { whenParsed } from './parsed';
 import { Settling } from './settling';
 import { mergeSetup } from './merged-setup';
+import type { SeekTarget } from './seek';
 import { PlaygroundShell } from './shell';
 import { Source, textInside } from './source';
 import { adoptStyles } from './style-sheets';
 import { upgradeIn, upgradeDocument } from './upgrade';
-import { parseLoading, startButton, whenNear, type Loading } from './when-seen';
+import { startButton, whenNear } from './when-seen';
 import controls from '../dom/controls.css?inline';
 import tokens from '../tokens.css?inline';
 import styles from './styles.css?inline';
@@ -98,8 +40,10 @@ export interface OpenedProgram {
   readonly file: ProgramFile | undefined;
 }
 
+const NO_DIAGNOSTICS: readonly Diagnostic[] = Object.freeze([]);
+
 /** A change of these attributes renders the element again. */
-const RERENDERING_ATTRIBUTES: readonly string[] = ['view', 'controls', 'readonly', 'calculator'];
+const RERENDERING_ATTRIBUTES: readonly string[] = ['view', 'controls', 'readonly', 'calculator', 'exercise'];
 /** The author's attributes for lines and picture. */
 const AUTHOR_ATTRIBUTES: readonly string[] = [
   'highlight',
@@ -111,41 +55,16 @@ const AUTHOR_ATTRIBUTES: readonly string[] = [
   'playground',
 ];
 
+const HEIGHT_ATTRIBUTES: readonly string[] = ['height', 'rows-min', 'rows-max'];
 /** These need no update: they are read when the pointer or the focus reaches a link. */
 const LINK_ATTRIBUTES: readonly string[] = ['rules', 'docs', 'manual'];
 
-/** Node has no `HTMLElement`; there the class is only imported, never instantiated. */
-const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
-
-export class GcodePlayground extends Base {
-  static readonly observedAttributes = [
-    'src',
-    'control',
-    'setup',
-    'block-skip',
-    'program',
-    'language',
-    'theme',
-    'view',
-    'controls',
-    'readonly',
-    'step',
-    'highlight',
-    'lines',
-    'fit',
-    'turret',
-    'annotate',
-    'calculator',
-    'caption',
-    'loading',
-    'playground',
-    'rules',
-    'docs',
-    'manual',
-  ];
-
-  /** Set by the page to identify the program; null after another program has replaced it. */
-  #origin: string | null = null;
+export class GcodePlayground extends ElementAttributes {
+  /**
+   * Set by the page to identify the program; null after another program has replaced it; undefined if the page has never
+   * set it.
+   */
+  #origin: string | null | undefined;
   /** Created when the element is first inserted into a document. */
   #createdShell: PlaygroundShell | undefined;
   /** The values of `view`, `controls` and `readonly` for which the shell was created. */
@@ -163,12 +82,11 @@ export class GcodePlayground extends Base {
     this.addEventListener('keydown', (event) => this.#createdShell?.handleKey(event), { capture: true });
     for (const use of ['focusin', 'pointerdown']) this.addEventListener(use, () => markAsLastUsed(this));
     for (const type of ['keydown', 'keypress', 'keyup'] as const)
-      this.addEventListener(type, (event) => this.#keepKeyInside(event));
+      this.addEventListener(type, (event) => keepKeyInside(this, event));
   }
 
   connectedCallback(): void {
-    connectedElements.add(this);
-    if (connectedElements.size === 1) document.addEventListener('keydown', onDocumentKeydown);
+    connectKeys(this);
     this.#upgradeProperties();
     if (this.#createdShell !== undefined) return this.#start();
     this.#prepareRoot();
@@ -177,20 +95,9 @@ export class GcodePlayground extends Base {
   }
 
   disconnectedCallback(): void {
-    connectedElements.delete(this);
-    if (connectedElements.size === 0) document.removeEventListener('keydown', onDocumentKeydown);
+    disconnectKeys(this);
     this.#stopWaiting?.();
     this.#createdShell?.disconnect();
-  }
-
-  /**
-   * Keys typed inside must not trigger commands of the page: manuals turn pages with arrow keys and open a search with
-   * letters.
-   */
-  #keepKeyInside(event: KeyboardEvent): void {
-    const [origin] = event.composedPath();
-    if (isPlainKey(event) && origin instanceof Node && origin.getRootNode() === this.shadowRoot)
-      event.stopPropagation();
   }
 
   /** Handles a key that was pressed outside of the element. */
@@ -204,6 +111,8 @@ export class GcodePlayground extends Base {
     else if (attribute === 'theme') this.#createdShell?.coloursChanged();
     else if (RERENDERING_ATTRIBUTES.includes(attribute)) this.#rerender();
     else if (attribute === 'step') this.#createdShell?.stepChanged();
+    else if (attribute === 'speed') this.#createdShell?.speedChanged();
+    else if (HEIGHT_ATTRIBUTES.includes(attribute)) this.#createdShell?.heightChanged();
     else if (AUTHOR_ATTRIBUTES.includes(attribute)) this.#createdShell?.authorChanged();
     else if (attribute === 'src') this.#source?.addressChanged();
     else if (attribute === 'loading') this.#scheduleStart();
@@ -255,211 +164,44 @@ export class GcodePlayground extends Base {
     );
   }
 
-  get language(): Language {
-    return languageOf(this.getAttribute('language') ?? this.closest('[lang]')?.getAttribute('lang'));
-  }
-
-  set language(language: Language) {
-    this.setAttribute('language', language);
-  }
-
-  get src(): string | null {
-    return this.getAttribute('src');
-  }
-
-  set src(address: string | null) {
-    this.#setOrRemove('src', address);
-  }
-
-  get loading(): Loading {
-    return parseLoading(this.getAttribute('loading'));
-  }
-
-  set loading(loading: Loading) {
-    this.setAttribute('loading', loading);
-  }
-
-  get control(): string | null {
-    return this.getAttribute('control');
-  }
-
-  set control(control: string | null) {
-    this.#setOrRemove('control', control);
-  }
-
-  get setup(): string | null {
-    return this.getAttribute('setup');
-  }
-
-  /** JSON, or an object. */
-  set setup(setup: string | object | null) {
-    this.#setOrRemove('setup', typeof setup === 'object' && setup !== null ? JSON.stringify(setup) : setup);
-  }
-
-  get blockSkip(): string | null {
-    return this.getAttribute('block-skip');
-  }
-
-  set blockSkip(levels: string | null) {
-    this.#setOrRemove('block-skip', levels);
-  }
-
-  get program(): string | null {
-    return this.getAttribute('program');
-  }
-
-  set program(number: string | null) {
-    this.#setOrRemove('program', number);
-  }
-
   get origin(): string | null {
-    return this.#origin;
+    return this.#origin ?? null;
   }
 
   set origin(origin: string | null) {
     this.#origin = origin;
   }
 
-  get theme(): string {
-    return this.getAttribute('theme') ?? 'auto';
+  /** Whether the page marks its programs with `origin`. */
+  get marksPrograms(): boolean {
+    return this.#origin !== undefined;
   }
 
-  set theme(theme: string) {
-    this.setAttribute('theme', theme);
+  /** The messages about the current program, with offsets into `opened.text`; empty until it is checked. */
+  get diagnostics(): readonly Diagnostic[] {
+    return this.#createdShell?.checked?.diagnostics ?? NO_DIAGNOSTICS;
   }
 
-  get view(): View {
-    return parseView(this.getAttribute('view'));
+  /** The summary of the current program; undefined until it is checked. */
+  get summary(): Summary | undefined {
+    return this.#createdShell?.checked?.summary;
   }
 
-  set view(view: View) {
-    this.setAttribute('view', view);
+  /** Whether the tool is moving along the path. */
+  get playing(): boolean {
+    return this.#createdShell?.playback.playing ?? false;
   }
 
-  /** The groups of panels that are shown, or `none`; null: all. */
-  get controls(): string | null {
-    return this.getAttribute('controls');
+  /** The position of the tool; undefined if the whole path is shown. */
+  get readout(): Readout | undefined {
+    return this.#createdShell?.playback.readout;
   }
 
-  set controls(names: string | null) {
-    this.#setOrRemove('controls', names);
-  }
-
-  /** Whether the user cannot edit the program. */
-  get readonly(): boolean {
-    return this.hasAttribute('readonly');
-  }
-
-  set readonly(readonly: boolean) {
-    this.toggleAttribute('readonly', readonly);
-  }
-
-  /** Initial position of the tool: after a number of motions, or before `line 8`. */
-  get step(): string | null {
-    return this.getAttribute('step');
-  }
-
-  set step(step: string | number | null) {
-    this.#setOrRemove('step', step);
-  }
-
-  /** The marked lines, for example `6-8, 12`; their strokes are marked as well. */
-  get highlight(): string | null {
-    return this.getAttribute('highlight');
-  }
-
-  set highlight(lines: string | number | null) {
-    this.#setOrRemove('highlight', lines);
-  }
-
-  /** The lines that are shown initially, for example `3-20`. */
-  get lines(): string | null {
-    return this.getAttribute('lines');
-  }
-
-  set lines(lines: string | number | null) {
-    this.#setOrRemove('lines', lines);
-  }
-
-  /** What the drawing is fitted to: the `part`, or the whole `path`. */
-  get fit(): string | null {
-    return this.getAttribute('fit');
-  }
-
-  set fit(fit: string | null) {
-    this.#setOrRemove('fit', fit);
-  }
-
-  /** The side of the turret: `front` or `rear`. */
-  get turret(): string | null {
-    return this.getAttribute('turret');
-  }
-
-  set turret(side: string | null) {
-    this.#setOrRemove('turret', side);
-  }
-
-  /** The calculator over the program, such as `r-of-g90`; its result becomes the program. */
-  get calculator(): string | null {
-    return this.getAttribute('calculator');
-  }
-
-  set calculator(name: string | null) {
-    this.#setOrRemove('calculator', name);
-  }
-
-  /** The dimensions and letters in the picture: `none`, `word`, `cycle` or `part`. */
-  get annotate(): string | null {
-    return this.getAttribute('annotate');
-  }
-
-  set annotate(choice: string | null) {
-    this.#setOrRemove('annotate', choice);
-  }
-
-  /** The line under the element, which is also its accessible name. */
-  get caption(): string | null {
-    return this.getAttribute('caption');
-  }
-
-  set caption(text: string | null) {
-    this.#setOrRemove('caption', text);
-  }
-
-  /** The address that "Open in the playground" leads to; empty: no link. */
-  get playground(): string | null {
-    return this.getAttribute('playground');
-  }
-
-  set playground(address: string | null) {
-    this.#setOrRemove('playground', address);
-  }
-
-  /** The address of the folder of the rule pages; empty: no links to them. */
-  get rules(): string | null {
-    return this.getAttribute('rules');
-  }
-
-  set rules(address: string | null) {
-    this.#setOrRemove('rules', address);
-  }
-
-  /** The address of the folder of the documents; empty: no links to them. */
-  get docs(): string | null {
-    return this.getAttribute('docs');
-  }
-
-  set docs(address: string | null) {
-    this.#setOrRemove('docs', address);
-  }
-
-  /** The address of the folder of the pages of the manual; empty: no link to them. */
-  get manual(): string | null {
-    return this.getAttribute('manual');
-  }
-
-  set manual(address: string | null) {
-    this.#setOrRemove('manual', address);
+  /** Moves the tool, once the program has run; null shows the whole path. Returns the position of the tool. */
+  async seek(to: SeekTarget | null): Promise<Readout | undefined> {
+    const shell = this.#shell;
+    shell.expectOffer('seek');
+    return shell.seek(to);
   }
 
   play(): void {
@@ -595,7 +337,7 @@ export class GcodePlayground extends Base {
     const text = lines[line - 1];
     if (text === undefined) return;
     const from = lines.slice(0, line - 1).reduce((length, before) => length + before.length + 1, 0);
-    this.#shell.forPanels.goTo({ from, to: from + text.length });
+    this.#shell.forPanels.showPlace({ from, to: from + text.length });
   }
 
   /**
@@ -627,7 +369,7 @@ export class GcodePlayground extends Base {
     callback: (service: Services[S]) => void,
   ): void {
     const shell = this.#shell;
-    if (!shell.offers(name)) throw new Error(`view="${shell.view}" does not offer ${name}`);
+    shell.expectOffer(name);
     void shell.complete.then(
       () => callback(shell.forPanels.service(name)),
       () => undefined,
@@ -646,13 +388,20 @@ export class GcodePlayground extends Base {
   }
 
   get #viewKey(): string {
-    return JSON.stringify([this.view, shownControls(this.view, this.controls), this.readonly, this.calculator]);
+    return JSON.stringify([
+      this.view,
+      shownControls(this.view, this.controls),
+      this.readonly,
+      this.calculator,
+      this.exercise,
+    ]);
   }
 
   /** Properties that were set before the class was defined hide its accessors: set them again. */
   #upgradeProperties(): void {
+    const classes = [GcodePlayground.prototype, ElementAttributes.prototype];
     for (const name of Object.getOwnPropertyNames(this)) {
-      if (Object.getOwnPropertyDescriptor(GcodePlayground.prototype, name)?.set === undefined) continue;
+      if (classes.every((of) => Object.getOwnPropertyDescriptor(of, name)?.set === undefined)) continue;
       const value: unknown = Reflect.get(this, name);
       Reflect.deleteProperty(this, name);
       Reflect.set(this, name, value);
@@ -698,20 +447,6 @@ export class GcodePlayground extends Base {
   #fire<Detail>(type: string, detail: Detail): void {
     this.dispatchEvent(new CustomEvent<Detail>(type, { detail, bubbles: true, composed: true }));
   }
-
-  /** Frameworks set a property to `undefined` to remove the attribute. */
-  #setOrRemove(attribute: string, value: string | number | null | undefined): void {
-    if (value === null || value === undefined) this.removeAttribute(attribute);
-    else this.setAttribute(attribute, String(value));
-  }
-}
-
-/** The elements of the page, the last used one last. */
-const connectedElements = new Set<GcodePlayground>();
-
-function markAsLastUsed(element: GcodePlayground): void {
-  if (!connectedElements.delete(element)) return;
-  connectedElements.add(element);
 }
 
 function isJson(text: string): boolean {
@@ -721,23 +456,6 @@ function isJson(text: string): boolean {
   } catch {
     return false;
   }
-}
-
-/** Keys without a modifier, which pages use as commands, and which type or move in a text, list or drawing. */
-function isPlainKey({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
-  return !ctrlKey && !metaKey && !altKey && key !== 'Escape' && key !== 'Tab' && !/^F\d+$/.test(key);
-}
-
-/** The keys of the playback also work if the focus is outside, but not in a text field. */
-function onDocumentKeydown(event: KeyboardEvent): void {
-  const isPlayKey = event.key === 'F9' || (event.key === 'Enter' && (event.ctrlKey || event.metaKey));
-  if (!isPlayKey || event.defaultPrevented) return;
-  const path = event.composedPath();
-  const isText = path.some(
-    (part) => part instanceof HTMLElement && (part.isContentEditable || part.matches('input, textarea')),
-  );
-  if (isText || path.some((part) => part instanceof GcodePlayground)) return;
-  [...connectedElements].at(-1)?.handleKey(event);
 }
 
 /**

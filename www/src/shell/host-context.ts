@@ -8,7 +8,10 @@ import type { SwitchState } from '../panels/panel';
 import { mergeSetup, readSwitches } from './merged-setup';
 
 /** The attributes, as properties of the element. */
-type ContextHost = { -readonly [K in keyof ProgramContext]: ProgramContext[K] };
+type ContextHost = { -readonly [K in keyof ProgramContext]: ProgramContext[K] } & {
+  /** Whether the page marks its programs with `origin`. */
+  readonly marksPrograms: boolean;
+};
 
 interface HostContextEvents {
   /** The setup of a program of which only the text is known. */
@@ -43,10 +46,16 @@ export class HostContext {
     return { ...EMPTY_CONTEXT, setup: this.#events.defaultSetup() };
   }
 
+  /** Whether the page tells its programs apart: then a text that the user types can be another one, too. */
+  get marksPrograms(): boolean {
+    return this.#host.marksPrograms;
+  }
+
   /** Another program has replaced the current one. */
   replace(context: ProgramContext): void {
     const before = this.current;
-    if (CONTEXT_KEYS.some((key) => context[key] !== before[key])) Object.assign(this.#host, context);
+    // Only what changes: a page that has never set `origin` marks no programs.
+    for (const key of CONTEXT_KEYS) if (context[key] !== before[key]) this.#host[key] = context[key];
     this.#events.onReplaced();
     this.#events.fire('gcode-context', context);
   }

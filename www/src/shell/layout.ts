@@ -15,16 +15,15 @@ export function parseView(attribute: string | null): View {
 }
 
 /** The methods of the element that are missing in some views. */
-export type OptionalService = Extract<
-  keyof Services,
-  'play' | 'pause' | 'openFile' | 'saveFile' | 'exported' | 'keepPart' | 'endComparison'
->;
+export type OptionalMethod =
+  | Extract<keyof Services, 'play' | 'pause' | 'openFile' | 'saveFile' | 'exported' | 'keepPart' | 'endComparison'>
+  | 'seek';
 
 interface ViewContents {
   readonly program: boolean;
   readonly picture: boolean;
   readonly controls: readonly Control[];
-  readonly offers: readonly OptionalService[];
+  readonly offers: readonly OptionalMethod[];
 }
 
 export const VIEW_CONTENTS: Readonly<Record<View, ViewContents>> = {
@@ -32,10 +31,10 @@ export const VIEW_CONTENTS: Readonly<Record<View, ViewContents>> = {
     program: true,
     picture: true,
     controls: CONTROLS,
-    offers: ['play', 'pause', 'openFile', 'saveFile', 'exported', 'keepPart', 'endComparison'],
+    offers: ['play', 'pause', 'seek', 'openFile', 'saveFile', 'exported', 'keepPart', 'endComparison'],
   },
-  picture: { program: false, picture: true, controls: [], offers: [] },
-  playback: { program: false, picture: true, controls: ['playback'], offers: ['play', 'pause'] },
+  picture: { program: false, picture: true, controls: [], offers: ['seek'] },
+  playback: { program: false, picture: true, controls: ['playback'], offers: ['play', 'pause', 'seek'] },
   code: { program: true, picture: false, controls: ['problems'], offers: [] },
 };
 

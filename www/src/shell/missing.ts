@@ -1,9 +1,9 @@
 // One notice with "Try again" for everything that could not be loaded or has failed; it stays until all of it works.
 //
-// In: the missing parts, the errors, and functions that load them again. Out: the notice, in words. All missing parts are
-// loaded again when the user clicks the button or edits the program, and when the network returns. Each has one attempt
-// at a time; an edit starts one no sooner than `MIN_RETRY_DELAY_MS` after the last failure. Must not know: how a part is
-// loaded.
+// In: the missing parts, the errors, and functions that load them again. Out: the notice, in words; each failure, for the
+// page. All missing parts are loaded again when the user clicks the button or edits the program, and when the network
+// returns. Each has one attempt at a time; an edit starts one no sooner than `MIN_RETRY_DELAY_MS` after the last failure.
+// Must not know: how a part is loaded.
 
 import type { Language } from '../dom/language';
 import { isOffline, ReloadRequiredError, whenOnline } from '../dom/network';
@@ -15,6 +15,15 @@ import { describe } from '../worker/describe';
 const KINDS = ['interpreter', 'parts', 'panels', 'editor', 'completion'] as const;
 type MissingKind = (typeof KINDS)[number];
 
+/** A failure, as the event `gcode-error` reports it. */
+export interface HostError {
+  /** The setup, the program of `src`, or the part of the element that could not be loaded or was stopped. */
+  readonly kind: 'setup' | 'source' | MissingKind;
+  readonly reason: string;
+  /** The sentence that the element shows, in its language. */
+  readonly message: string;
+}
+
 /** Minimum delay between a failure and an attempt after an edit. */
 const MIN_RETRY_DELAY_MS = 2_000;
 /** A failure this soon after the network has returned may be that of a request from before. */
@@ -22,6 +31,8 @@ const NETWORK_RETURNS_MS = 5_000;
 
 interface MissingPart {
   readonly message: (language: Language) => string;
+  /** Without the sentence around it. */
+  readonly reason: string;
   /** Retries; `'reload'` if only reloading the page helps. */
   readonly retry: (() => void) | 'reload';
   isRetrying: boolean;
@@ -33,6 +44,8 @@ interface MissingEvents {
   /** Shows the notice, or replaces it. */
   show(text: string, action: NoticeAction): void;
   hide(): void;
+  /** Something has failed, at the first or at another attempt. */
+  onFailed(error: HostError): void;
 }
 
 export class Missing {
@@ -64,23 +77,26 @@ export class Missing {
     const isWithoutNetwork = !needsReload && isOffline();
     const reason = ({ reasons }: Words): string =>
       needsReload ? reasons.needsReload : isWithoutNetwork ? reasons.noNetwork : describe(error);
-    this.#add(
-      kind,
-      (language) => WORDS[language].failed[kind](reason(WORDS[language])),
-      needsReload ? 'reload' : retry,
-    );
+    this.#add(kind, {
+      message: (language) => WORDS[language].failed[kind](reason(WORDS[language])),
+      reason: reason(WORDS[this.#language]),
+      retry: needsReload ? 'reload' : retry,
+    });
   }
 
   /** Reports that the interpreter takes too long, or has crashed; `retry` as in `markFailed`. */
   markLost(cause: 'silent' | 'crashed', retry: () => void): void {
-    this.#add('interpreter', (language) => WORDS[language].lost[cause], retry);
+    this.#add('interpreter', { message: (language) => WORDS[language].lost[cause], reason: cause, retry });
   }
 
-  #add(kind: MissingKind, message: MissingPart['message'], retry: MissingPart['retry']): void {
+  #add(kind: MissingKind, failed: Pick<MissingPart, 'message' | 'reason' | 'retry'>): void {
     // Several callers can report the same failure.
     const before = this.#parts.get(kind);
-    if (before?.isRetrying !== false) this.#earliestRetry = performance.now() + MIN_RETRY_DELAY_MS;
-    this.#parts.set(kind, { message, retry, isRetrying: false, isRetryRequested: false });
+    this.#parts.set(kind, { ...failed, isRetrying: false, isRetryRequested: false });
+    if (before?.isRetrying !== false) {
+      this.#earliestRetry = performance.now() + MIN_RETRY_DELAY_MS;
+      this.#events.onFailed({ kind, reason: failed.reason, message: failed.message(this.#language) });
+    }
     this.#show();
     const hasJustReturned = performance.now() - this.#onlineAt < NETWORK_RETURNS_MS;
     if (before?.isRetryRequested === true || hasJustReturned) this.onEdit();

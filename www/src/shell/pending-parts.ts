@@ -6,7 +6,7 @@
 
 import { parseStep, type Step } from './author';
 
-export type Part = 'panels' | 'editor' | 'program' | 'step' | 'link';
+export type Part = 'panels' | 'editor' | 'program' | 'step' | 'link' | 'height';
 
 interface PendingEvents {
   /** The attribute `step`. */

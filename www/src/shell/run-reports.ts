@@ -1,8 +1,9 @@
 // The state of the newest run, as its events report it.
 //
 // In: the events of the newest run, edits, a lost worker. Out: the same events and failures for the panels, the problems
-// for the editor, the event `gcode-report`, the notice about a rejected setup, the missing parts. Messages about a program
-// that is still being typed are held back (`unfinished`). Must not know: how runs are started.
+// for the editor, what the page is told (`checked`, the events `gcode-report` and `gcode-error`), the notice about a
+// rejected setup, the missing parts. Messages about a program that is still being typed are held back (`unfinished`).
+// Must not know: how runs are started.
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
@@ -10,7 +11,8 @@ import type { Program } from '../editor/program';
 import type { Diagnostic, Report, Summary } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
 import { diagnosticsInFile } from './file-offsets';
-import type { Missing } from './missing';
+import { deepFreeze } from './frozen';
+import type { HostError, Missing } from './missing';
 import { hasMotions, type PanelSet } from './panel-set';
 import type { ReportedLoss } from './runs';
 import { Unfinished, type ReportEvent } from './unfinished';
@@ -30,10 +32,23 @@ interface RunReportsOptions {
   fire<Detail>(type: string, detail: Detail): void;
 }
 
+/** The result of a run for the page: offsets refer to `opened.text`. */
+export interface Checked {
+  readonly summary: Summary;
+  readonly diagnostics: readonly Diagnostic[];
+  /** Whether the part is complete: without it, messages about collisions are missing. */
+  readonly complete: boolean;
+}
+
 export class RunReports {
   readonly #options: RunReportsOptions;
   readonly #unfinished: Unfinished;
   #diagnostics: readonly Diagnostic[] = [];
+  #checked: Checked | undefined;
+  /** Callbacks that wait until the newest run is reported, or has failed. */
+  readonly #reportCallbacks: (() => void)[] = [];
+  /** Why the newest setup was rejected, if the page was told. */
+  #toldRejection: string | undefined;
   /** Whether the newest run was reported. */
   #isReported = false;
   /** Whether no run is in progress that would report the current program. */
@@ -51,6 +66,17 @@ export class RunReports {
   /** All problems of the newest report, also those that are held back. */
   get diagnostics(): readonly Diagnostic[] {
     return this.#diagnostics;
+  }
+
+  /** The result of the current program; undefined until it is reported. */
+  get checked(): Checked | undefined {
+    return this.#checked;
+  }
+
+  /** Resolved when the current program is reported, or when there will be no report of it. */
+  whenReported(): Promise<void> {
+    if (this.#isReported || this.#isIdle) return Promise.resolve();
+    return new Promise((resolve) => this.#reportCallbacks.push(resolve));
   }
 
   /** Whether there will be no report of the current program. */
@@ -73,9 +99,15 @@ export class RunReports {
   /** Text or setup have changed; the last report is outdated. */
   onInputChanged(): void {
     this.#isReported = false;
+    this.#checked = undefined;
     this.#unfinished.drop();
     this.#options.panels.onInputChanged();
     if (this.#isIdle) this.#onRunFailed();
+  }
+
+  /** The page or the user has changed the setup. */
+  onSetupChanged(): void {
+    this.#toldRejection = undefined;
   }
 
   onRunStarted(): void {
@@ -112,19 +144,38 @@ export class RunReports {
 
   /** `shown`: the problems without those that are held back. */
   #onReport(report: Report, shown: readonly Diagnostic[]): void {
-    const { summary, diagnostics, setupRejected } = report;
-    const { editor, panels, setupError, language, fire } = this.#options;
+    const { summary, diagnostics, stage } = report;
+    const { editor, panels, fire } = this.#options;
     this.#diagnostics = diagnostics;
     this.#isReported = true;
-    const rejected = setupError() ?? setupRejected;
-    if (rejected === undefined) panels.service('hideNotice')('setup');
-    else panels.service('notice')(WORDS[language()].setupRejected(rejected), 'setup');
+    this.#showRejection(report);
     panels.available = hasMotions(report);
     editor.diagnostics = shown;
-    fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', {
-      summary,
+    // A report in another language is as complete as the last one.
+    const complete = stage === 'repeated' ? (this.#checked?.complete ?? false) : stage !== 'path';
+    this.#checked = deepFreeze({
+      summary: { ...summary },
       diagnostics: diagnosticsInFile(diagnostics, editor),
+      complete,
     });
+    this.#callBack();
+    fire<Checked>('gcode-report', this.#checked);
+  }
+
+  /** Shows why the setup was rejected; the page is told once. */
+  #showRejection({ setupRejected, stage }: Report): void {
+    const { panels, setupError, language, fire } = this.#options;
+    const reason = setupError() ?? setupRejected;
+    if (reason === undefined) return panels.service('hideNotice')('setup');
+    const message = WORDS[language()].setupRejected(reason);
+    panels.service('notice')(message, 'setup');
+    if (stage !== 'repeated' && reason !== this.#toldRejection)
+      fire<HostError>('gcode-error', { kind: 'setup', reason, message });
+    this.#toldRejection = reason;
+  }
+
+  #callBack(): void {
+    for (const callback of this.#reportCallbacks.splice(0)) callback();
   }
 
   #onPartFailed({ reason, neededFor }: Extract<CoreEvent, { readonly kind: 'part-failed' }>): void {
@@ -138,6 +189,7 @@ export class RunReports {
     panels.available = false;
     editor.diagnostics = [];
     panels.notify((panel) => panel.onRunFailed?.());
+    this.#callBack();
   }
 }
 

@@ -13,14 +13,16 @@ import type {
   Answer,
   Command,
   Diagnostic,
+  Pace,
   QuestionKind,
   Questions,
   Readout,
   Stroke,
 } from '../protocol/protocol';
 import type { AuthorSettings } from './author-settings';
-import { strokeInFile } from './file-offsets';
+import { cursorInFile, strokeInFile } from './file-offsets';
 import type { HostContext } from './host-context';
+import type { HostPlayback } from './host-playback';
 import type { PanelSet } from './panel-set';
 import type { RunReports } from './run-reports';
 import type { Runs } from './runs';
@@ -37,6 +39,7 @@ interface ShellParts {
   readonly reports: RunReports;
   readonly context: HostContext;
   readonly author: AuthorSettings;
+  readonly playback: HostPlayback;
   language(): Language;
   fire<Detail>(type: string, detail: Detail): void;
   /** The user has changed the program or its file. */
@@ -70,6 +73,18 @@ export class ShellForPanels implements Shell {
 
   get calculator(): string | undefined {
     return this.#parts.author.calculator;
+  }
+
+  get exercise(): string | undefined {
+    return this.#parts.author.exercise;
+  }
+
+  get speed(): Pace | undefined {
+    return this.#parts.author.speed;
+  }
+
+  changeSpeed(speed: Pace): void {
+    this.#parts.author.changeSpeed(speed);
   }
 
   get diagnostics(): readonly Diagnostic[] {
@@ -144,6 +159,12 @@ export class ShellForPanels implements Shell {
   }
 
   goTo(span: Span): void {
+    this.showPlace(span);
+    this.notifyCursor();
+  }
+
+  /** Selects a place of the program for the page, without an event. */
+  showPlace(span: Span): void {
     this.editor.select(span);
     this.editor.focus();
     this.#onCursorSet(span.from);
@@ -153,12 +174,14 @@ export class ShellForPanels implements Shell {
     this.editor.select(stroke);
     if (focus === 'focus') this.editor.focus();
     this.#onCursorSet(stroke.from);
+    this.notifyCursor();
     this.#parts.fire('gcode-select', { stroke: strokeInFile(stroke, this.editor) });
   }
 
   chooseProblem(problem: Diagnostic): void {
     this.editor.selectProblem(problem);
     this.#onCursorSet(problem.from);
+    this.notifyCursor();
   }
 
   refit(): void {
@@ -167,6 +190,16 @@ export class ShellForPanels implements Shell {
 
   notifyToolMoved(place: Readout | undefined): void {
     this.#parts.panels.notify((panel) => panel.onToolMoved?.(place));
+    this.#parts.playback.onToolMoved(place);
+  }
+
+  notifyPlaying(state: 'playing' | 'paused'): void {
+    this.#parts.playback.onPlaying(state);
+  }
+
+  /** Tells the page that the user has moved the cursor. */
+  notifyCursor(): void {
+    this.#parts.fire('gcode-cursor', cursorInFile(this.editor));
   }
 
   /** The page has moved the cursor on behalf of the user. */

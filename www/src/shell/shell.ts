@@ -9,17 +9,20 @@ import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { ALWAYS, PICTURES } from '../panels/index';
 import type { UserCommand } from '../panels/panel';
-import type { Step } from './author';
+import type { Readout } from '../protocol/protocol';
 import { AuthorSettings } from './author-settings';
+import { AutoHeight } from './auto-height';
 import { HostContext } from './host-context';
-import { createLayout, VIEW_CONTENTS, type OptionalService, type View } from './layout';
+import { HostPlayback } from './host-playback';
+import { createLayout, VIEW_CONTENTS, type OptionalMethod, type View } from './layout';
 import { initialParts, LateLoading } from './late-loading';
-import { Missing } from './missing';
+import { Missing, type HostError } from './missing';
 import { PanelSet } from './panel-set';
 import { Paper } from './paper';
 import { PendingParts } from './pending-parts';
-import { RunReports } from './run-reports';
+import { RunReports, type Checked } from './run-reports';
 import { Runs } from './runs';
+import { toolTarget, type SeekTarget, type ToolTarget } from './seek';
 import { ShellForPanels } from './shell-for-panels';
 import { showFailedLoad, showSlowLoad } from './source-notice';
 import { adoptStyles } from './style-sheets';
@@ -37,9 +40,16 @@ interface Host {
   readonly turret: string | null;
   readonly annotate: string | null;
   readonly calculator: string | null;
+  readonly exercise: string | null;
   readonly caption: string | null;
   readonly playground: string | null;
   readonly value: string;
+  readonly marksPrograms: boolean;
+  readonly height: string | null;
+  readonly rowsMin: string | null;
+  readonly rowsMax: string | null;
+  get speed(): string | null;
+  set speed(speed: string | number | null);
   getAttribute(name: string): string | null;
   control: string | null;
   setup: string | null;
@@ -64,25 +74,30 @@ export class PlaygroundShell {
   readonly view: View;
   readonly forPanels: ShellForPanels;
   readonly #host: Host;
+  readonly #fire: ShellEvents['fire'];
   readonly #panels: PanelSet;
   readonly #author: AuthorSettings;
   readonly #paper: Paper;
   readonly #context: HostContext;
   readonly #runs: Runs;
   readonly #reports: RunReports;
+  readonly playback: HostPlayback;
   readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
   #language: Language;
   readonly #pending: PendingParts;
   readonly #late: LateLoading;
   readonly #missing: Missing;
+  readonly #height: AutoHeight;
 
   constructor(root: ShadowRoot, host: Host, events: ShellEvents) {
     const { fire, onChange, onUnsettled, onSettled } = events;
     this.#host = host;
+    this.#fire = fire;
     this.#language = host.language;
     this.#missing = new Missing(this.#language, {
       show: (text, action) => this.#panels.service('notice')(text, 'missing', action),
       hide: () => this.#panels.service('hideNotice')('missing'),
+      onFailed: (error) => fire('gcode-error', error),
     });
     this.view = host.view;
     this.#pending = new PendingParts(initialParts(this.view, host.playground), {
@@ -113,9 +128,11 @@ export class PlaygroundShell {
         this.#pending.dropStep();
         if (input === 'typed') this.#reports.onTyped();
         this.#runs.onTyped();
+        this.forPanels.notifyCursor();
       },
       context: () => this.#context.current,
       neutral: () => this.#context.neutral,
+      typedCanReplace: () => this.#context.marksPrograms,
       onContextChanged: (context) => {
         this.#runs.onProgramReplaced();
         this.#context.replace(context);
@@ -124,6 +141,7 @@ export class PlaygroundShell {
         this.#runs.cursorMoved();
         this.#reports.onCursorMoved();
         this.#panels.notify((panel) => panel.onCursorMoved?.());
+        this.forPanels.notifyCursor();
       },
       onTrialChanged: () => {
         this.#runs.requestRun('keep');
@@ -141,7 +159,9 @@ export class PlaygroundShell {
         this.#panels.notify((panel) => panel.onTextInserted?.(from, to));
       },
     });
+    this.playback = new HostPlayback({ editor: this.editor, fire });
     const layout = createLayout(this.view, this.editor.element);
+    this.#height = new AutoHeight({ root, host, layout, editor: this.editor, pending: this.#pending });
     this.#runs = new Runs(this.editor, {
       setup: () => this.#context.mergedSetup(),
       onEvent: (event) => {
@@ -153,7 +173,11 @@ export class PlaygroundShell {
         layout.fallback.hidden = true;
         this.#late.loadEditorIfShown();
       },
-      onInputChanged: () => this.#reports.onInputChanged(),
+      onInputChanged: () => {
+        this.#reports.onInputChanged();
+        this.playback.onInputChanged();
+        this.#height.update();
+      },
       onTextChanged: () => this.#panels.service('hideNotice')('program'),
       onRunRequested: () => this.#missing.onEdit(),
       onRunStarted: () => this.#reports.onRunStarted(),
@@ -172,6 +196,7 @@ export class PlaygroundShell {
       onUnsettled: () => this.#pending.onRunUnsettled(),
       onSettled: (run) => {
         this.editor.flushDecorations();
+        this.#height.update();
         this.#pending.onRunSettled(run);
         void this.#late.loadLink(host, layout.frame);
       },
@@ -204,6 +229,7 @@ export class PlaygroundShell {
       reports: this.#reports,
       context: this.#context,
       author: this.#author,
+      playback: this.playback,
       fire,
       onChange,
     });
@@ -226,6 +252,7 @@ export class PlaygroundShell {
   connect(): void {
     this.#darkScheme.addEventListener('change', this.coloursChanged);
     this.#paper.connect();
+    this.#height.connect();
     this.#runs.connect();
     this.#runs.requestRun('keep');
     this.#missing.retryAll();
@@ -235,6 +262,7 @@ export class PlaygroundShell {
   disconnect(): void {
     this.#darkScheme.removeEventListener('change', this.coloursChanged);
     this.#paper.disconnect();
+    this.#height.disconnect();
     this.#missing.cancelRetries();
     this.#reports.disconnect();
     this.#panels.notify((panel) => panel.onDisconnected?.());
@@ -264,21 +292,59 @@ export class PlaygroundShell {
     this.#pending.stepChanged();
   }
 
-  async #moveTool(step: Step): Promise<void> {
-    if (step.kind === 'motion') {
-      const goTo = this.#panels.findService('goTo');
-      await (goTo?.(step.motion) ?? this.forPanels.ask('go-to', { motion: step.motion }));
-      return;
+  /** The attribute `height`, `rows-min` or `rows-max` has changed. */
+  heightChanged(): void {
+    this.#height.changed();
+  }
+
+  /** The attribute `speed` has changed. */
+  speedChanged(): void {
+    this.#panels.notify((panel) => panel.onSpeedChanged?.());
+  }
+
+  /** The result of the current program; undefined until it is reported. */
+  get checked(): Checked | undefined {
+    return this.#reports.checked;
+  }
+
+  /** Moves the tool when the current program has run. Returns its position, with offsets into `opened.text`. */
+  async seek(to: SeekTarget | null): Promise<Readout | undefined> {
+    const target = toolTarget(to);
+    await this.complete.catch(() => undefined);
+    this.forPanels.flush();
+    await this.#reports.whenReported();
+    await this.#moveTool(target);
+    return this.playback.readout;
+  }
+
+  async #moveTool(target: ToolTarget): Promise<void> {
+    const answer = this.#askForTool(target);
+    if (answer === undefined) return;
+    const moveTool = this.#panels.findService('moveTool');
+    if (moveTool === undefined) this.forPanels.notifyToolMoved(await answer);
+    else await moveTool(answer);
+  }
+
+  /** Undefined if there is no such line. */
+  #askForTool(target: ToolTarget): Promise<Readout | undefined> | undefined {
+    switch (target.kind) {
+      case 'motion':
+        return this.forPanels.ask('go-to', { motion: target.motion });
+      case 'share':
+        return this.forPanels.ask('seek', { share: target.share });
+      case 'whole':
+        return this.forPanels.ask('seek', { share: undefined });
+      case 'line': {
+        const offset = this.editor.startOfLine(target.line);
+        return offset === undefined ? undefined : this.forPanels.ask('seek-block', { offset });
+      }
     }
-    const offset = this.editor.startOfLine(step.line);
-    if (offset === undefined) return;
-    const goToBlock = this.#panels.findService('goToBlock');
-    await (goToBlock?.(offset) ?? this.forPanels.ask('seek-block', { offset }));
   }
 
   readonly coloursChanged = (): void => this.#panels.notify((panel) => panel.onColoursChanged?.());
 
   setupChanged(): void {
+    this.#reports.onSetupChanged();
     this.#runs.setupChanged();
   }
 
@@ -304,8 +370,9 @@ export class PlaygroundShell {
   }
 
   programFailed(address: string, reason: string, retry: () => void): void {
-    showFailedLoad(this.#panels, this.#language, { address, reason, retry });
+    const message = showFailedLoad(this.#panels, this.#language, { address, reason, retry });
     this.#pending.finish('program');
+    this.#fire<HostError>('gcode-error', { kind: 'source', reason, message });
   }
 
   /** Sets another text without an event for the page; the attributes stay. */
@@ -328,7 +395,8 @@ export class PlaygroundShell {
     return this.#panels.commands;
   }
 
-  offers(name: OptionalService): boolean {
-    return VIEW_CONTENTS[this.view].offers.includes(name);
+  /** Throws an error if the view does not offer a method. */
+  expectOffer(name: OptionalMethod): void {
+    if (!VIEW_CONTENTS[this.view].offers.includes(name)) throw new Error(`view="${this.view}" does not offer ${name}`);
   }
 }

@@ -1,6 +1,6 @@
 // The notices about a program that is loaded from an address.
 //
-// In: the state of the load. Out: a notice. Must not know: how a program is loaded.
+// In: the state of the load. Out: a notice, and its text for the page. Must not know: how a program is loaded.
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
@@ -10,13 +10,16 @@ export function showSlowLoad(panels: PanelSet, language: Language, address: stri
   panels.service('notice')(WORDS[language].programLoading(address), 'source');
 }
 
+/** Returns the text of the notice. */
 export function showFailedLoad(
   panels: PanelSet,
   language: Language,
   { address, reason, retry }: { readonly address: string; readonly reason: string; readonly retry: () => void },
-): void {
+): string {
   const { programFailed, tryAgain } = WORDS[language];
-  panels.service('notice')(programFailed(address, reason), 'source', { title: tryAgain, act: retry });
+  const text = programFailed(address, reason);
+  panels.service('notice')(text, 'source', { title: tryAgain, act: retry });
+  return text;
 }
 
 const WORDS = words({
