@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { defineConfig, type HtmlTagDescriptor, type Plugin } from 'vite';
 import { compiledEarly } from './compiled-early';
 import { examples } from './examples';
+import { exercises } from './exercises';
 import { installable } from './installable';
 import { policy, withPolicy } from './policy';
 
@@ -117,7 +118,17 @@ function isPreloaded(file: string, host: string): boolean {
 export default defineConfig({
   base: './',
   define: { PLAYGROUND_VERSION: JSON.stringify(version) },
-  plugins: [preloads, examples, installable, compiledEarly, policy, partsPage, foreignPage, developmentServer],
+  plugins: [
+    preloads,
+    examples,
+    exercises,
+    installable,
+    compiledEarly,
+    policy,
+    partsPage,
+    foreignPage,
+    developmentServer,
+  ],
   build: {
     target: 'es2022',
     outDir: 'dist',

@@ -31,6 +31,12 @@ const ACTIONS: readonly Action[] = [
     load: () => Promise.resolve((host) => host.openGallery()),
   },
   {
+    id: 'exercises',
+    menu: 'program',
+    label: words({ en: 'Exercises', zh: '练习', ru: 'Упражнения' }),
+    load: async () => (await importWithRetry(() => import('./exercises-dialog'))).openExercises,
+  },
+  {
     id: 'own-programs',
     menu: 'program',
     label: words({ en: 'My programs', zh: '我的程序', ru: 'Мои программы' }),

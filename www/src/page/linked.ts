@@ -1,4 +1,5 @@
-// Reads a program from an address: plain text (`#program=…&setup=…`) or packed (`#share=…`, `files/shared-link.ts`).
+// Reads a program from an address: plain text (`#program=…&setup=…`), packed (`#share=…`, `files/shared-link.ts`), or an
+// exercise (`#exercise=…`), whose program the element loads.
 //
 // In: the part of an address from `#`. Out: the program and its options, or an error. The code that unpacks is loaded
 // on demand. Must not know: the meaning of a program.
@@ -7,7 +8,10 @@ import { importWithRetry } from '../dom/network';
 import { LINK_LIMIT } from '../files/link-limit';
 import type { LinkFault, Shared } from '../files/shared-link';
 
-export type LinkedProgram = Shared;
+export interface LinkedProgram extends Shared {
+  /** The id of an exercise. */
+  readonly exercise?: string;
+}
 
 export type AddressContent =
   | { readonly kind: 'linked'; readonly linked: LinkedProgram }
@@ -16,11 +20,38 @@ export type AddressContent =
   | { readonly kind: 'other' };
 
 const EXAMPLE = /^#[a-z]\w*-[\w-]+$/;
+const EXERCISE = /^#exercise=([a-z0-9-]+)$/;
 
 /** The address of the page without its fragment. */
 export function pageAddress(): string {
   return location.href.replace(/#.*$/s, '');
 }
+
+/** Whether the user's program is kept as the work on this link. */
+export function hasWork(linked: LinkedProgram): boolean {
+  return linked.task !== null || linked.exercise !== undefined;
+}
+
+/** The link to an exercise: the element loads the program that it begins with. */
+function exerciseLink(exercise: string): LinkedProgram {
+  return { ...EMPTY_LINK, exercise };
+}
+
+const EMPTY_LINK: LinkedProgram = {
+  text: '',
+  setup: null,
+  control: null,
+  blockSkip: null,
+  program: null,
+  language: null,
+  view: null,
+  step: null,
+  readonly: false,
+  file: null,
+  task: null,
+  answerTo: null,
+  name: null,
+};
 
 /** Reads a program in plain text. */
 export function parsePlainLink(hash: string): LinkedProgram | undefined {
@@ -29,19 +60,15 @@ export function parsePlainLink(hash: string): LinkedProgram | undefined {
   const text = parameters.get('program');
   if (text === null) return undefined;
   return {
+    ...EMPTY_LINK,
     text,
     setup: parameters.get('setup'),
     control: parameters.get('control'),
     blockSkip: parameters.get('block-skip'),
-    program: null,
     language: parameters.get('language'),
     view: parameters.get('view'),
     step: parameters.get('step'),
     readonly: parameters.has('readonly'),
-    file: null,
-    task: null,
-    answerTo: null,
-    name: null,
   };
 }
 
@@ -58,7 +85,8 @@ export async function parseAddress(hash: string): Promise<AddressContent> {
   }
   if (hash.length > LINK_LIMIT)
     return { kind: 'fault', fault: { kind: 'too-long', length: hash.length, limit: LINK_LIMIT } };
-  const linked = parsePlainLink(hash);
+  const id = EXERCISE.exec(hash)?.[1];
+  const linked = id === undefined ? parsePlainLink(hash) : exerciseLink(id);
   if (linked !== undefined) return { kind: 'linked', linked };
   return hash === '' || hash === '#' || EXAMPLE.test(hash)
     ? { kind: 'other' }

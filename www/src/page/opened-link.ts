@@ -46,6 +46,7 @@ export class OpenedLink {
     playground.setAttribute('view', linked.view ?? 'all');
     playground.readonly = readonly;
     playground.step = linked.step;
+    playground.exercise = linked.exercise === undefined ? null : `exercises/${linked.exercise}.md`;
     const from = cleanName(linked.name);
     if (linked.task !== null) this.#showBar({ kind: 'task', linked });
     else if (readonly || playground.view !== 'all') this.#showBar({ kind: 'only-shown', from });
@@ -56,6 +57,7 @@ export class OpenedLink {
   end(): void {
     const { playground } = this.#host;
     playground.step = null;
+    playground.exercise = null;
     playground.view = 'all';
     playground.readonly = false;
     this.#showBar(undefined);

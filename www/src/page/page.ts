@@ -18,7 +18,7 @@ import { ExampleList } from './example-list';
 import { find } from './find';
 import { FIRST_EXAMPLE, loadExample, type Example, type ExampleFailure } from './gallery';
 import type { Fault } from './link-bar';
-import { parseAddress, parsePlainLink, type AddressContent, type LinkedProgram } from './linked';
+import { hasWork, parseAddress, parsePlainLink, type AddressContent, type LinkedProgram } from './linked';
 import type { Offline } from './offline';
 import { OpenedLink } from './opened-link';
 import { languageOf, type Language } from '../dom/language';
@@ -26,6 +26,7 @@ import { COMMON } from '../dom/words';
 import { PAGE_WORDS } from './words';
 import { isWorkOn, saveWorkOn, lastWorkOn, findWorkOn, type FoundWork, type Work } from './task-work';
 import { ProgramSaver } from './program-saver';
+import { saveCheck, type CheckedExercise } from './exercise-progress';
 import {
   readChoices,
   clearLastEntry,
@@ -188,7 +189,7 @@ async function readAddress(
     const { hash } = location;
     const found = await parseAddress(hash);
     let work: FoundWork = { kind: 'none' };
-    if (found.kind === 'linked' && found.linked.task !== null) {
+    if (found.kind === 'linked' && hasWork(found.linked)) {
       const fromJournal = last === 'journal-first' ? lastWorkOn(hash) : undefined;
       work = fromJournal === undefined ? await findWorkOn(hash) : { kind: 'work', work: fromJournal };
     }
@@ -294,7 +295,7 @@ async function restoreProgram(program: OwnProgram): Promise<void> {
   saveNow();
   const open = link.current;
   const { id } = program;
-  if (id !== undefined && open !== undefined && open.linked.task !== null && isWorkOn(open.address, id))
+  if (id !== undefined && open !== undefined && hasWork(open.linked) && isWorkOn(open.address, id))
     showWork({ program: { ...program, id } }, open.linked);
   else restore(program, startExample);
 }
@@ -489,6 +490,7 @@ function addListeners(): void {
   });
   // A program put in by a script has its own context, too.
   playground.addEventListener('gcode-report', onOriginChanged);
+  playground.addEventListener('gcode-checked', (event) => saveCheck((event as CustomEvent<CheckedExercise>).detail));
   playground.addEventListener('gcode-switch', scheduleSave);
   playground.addEventListener('gcode-setup', scheduleSave);
   window.addEventListener('pagehide', () => saveNow());
@@ -589,22 +591,27 @@ function removeLinkFromAddress(text: string): void {
   }
   const open = link.current;
   if (open === undefined || foldLineEnds(open.linked.text) === text) return;
-  const isOfLink = playground.origin === LINK_ORIGIN;
+  const isOfLink = isFromLink();
   // The link of a task stays in the address: a later visit finds the task and the work on it.
-  if (!isOfLink || open.linked.task === null) history.replaceState(null, '', location.pathname + location.search);
+  if (!isOfLink || !hasWork(open.linked)) history.replaceState(null, '', location.pathname + location.search);
   const { current } = intro;
   if (isOfLink && current.kind !== 'linked')
     intro.show({ kind: 'linked', ...open, ...(current.kind === 'previous' ? { previous: current.program } : {}) });
+}
+
+/** Whether the program is that of the link in the address, or an answer to its exercise, also a pasted one. */
+function isFromLink(): boolean {
+  return playground.origin === LINK_ORIGIN || link.current?.linked.exercise !== undefined;
 }
 
 /** Records the program as the work on the task it started from. */
 function saveAsWork(): void {
   const { id } = saver;
   const { last } = link;
-  if (id === undefined || last === undefined || playground.origin !== LINK_ORIGIN) return;
+  if (id === undefined || last === undefined || !isFromLink()) return;
   const originLink = originLinks.get(id) ?? last.address;
   originLinks.set(id, originLink);
-  if (last.linked.task !== null && originLink === last.address) saveWorkOn(originLink, id);
+  if (hasWork(last.linked) && originLink === last.address) saveWorkOn(originLink, id);
 }
 
 // ---- showing --------------------------------------------------------------------------------------

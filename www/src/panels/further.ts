@@ -4,6 +4,7 @@
 import { atCursor } from './at-cursor';
 import { calculator } from './calculator';
 import { codes } from './codes';
+import { exercise } from './exercise';
 import { exports } from './exports';
 import { fileBar } from './file-bar';
 import { header } from './header';
@@ -51,6 +52,7 @@ export const FURTHER: readonly PanelKind[] = [
   switches,
   problems,
   atCursor,
+  exercise,
   calculator,
   navigation,
   whatIf,

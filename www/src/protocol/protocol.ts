@@ -14,6 +14,9 @@ import type {
   Diagnostic,
   Dimension,
   DrilledHole,
+  ExerciseRead,
+  ExerciseText,
+  Graded,
   Measurement,
   FileFormat,
   ProfileKind,
@@ -56,6 +59,9 @@ export type {
   Diagnostic,
   Dimension,
   DrilledHole,
+  ExerciseRead,
+  ExerciseText,
+  Graded,
   Measurement,
   Palette,
   PictureName,
@@ -312,6 +318,13 @@ export interface Questions {
   export: { args: { readonly format: ExportFormat }; answer: ExportResult };
   /** The chart of the speeds of a program without motions, as SVG; undefined if it sets no cutting speed. */
   'speed-chart': { args: undefined; answer: string | undefined };
+  /** Reads an exercise file. */
+  exercise: {
+    args: { readonly text: string };
+    answer: { readonly read: ExerciseRead; readonly drawing: string | undefined };
+  };
+  /** Checks the current program as the answer to an exercise. */
+  'check-exercise': { args: { readonly text: string }; answer: Graded | undefined };
   /** The half-section of the part at the current position of the playback. */
   section: { args: undefined; answer: readonly SectionPiece[] };
   /** The holes drilled by live tools up to that position. */
@@ -423,6 +436,8 @@ export const RUN_DEPENDENT = {
   codes: false,
   calculator: false,
   calculate: false,
+  exercise: false,
+  'check-exercise': true,
   export: false,
   'programs-in': false,
   'pieces-of': false,

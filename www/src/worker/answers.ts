@@ -51,6 +51,11 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   expand: { needs: TEXT_PARTS, answer: expandProgram },
   rewritings: { needs: TEXT_PARTS, answer: (core, { from, to }) => core.rewritings(from, to) },
   codes: { needs: TEXT_PARTS, answer: (core) => core.codes() },
+  exercise: {
+    needs: TEXT_PARTS,
+    answer: (core, { text }) => ({ read: core.exercise(text), drawing: core.exerciseDrawing(text) }),
+  },
+  'check-exercise': { needs: TEXT_PARTS, draws: 'now', answer: (core, { text }) => core.checkExercise(text) },
   calculator: { needs: TEXT_PARTS, answer: (core, { name, at }) => core.calculatorForm(name, at === 'cursor') },
   calculate: {
     needs: TEXT_PARTS,

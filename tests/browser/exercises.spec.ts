@@ -1,0 +1,81 @@
+// Exercises: a learner opens one, fails, takes a hint, passes, and finds the work and the progress again.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { manual, openHtml } from './embedded';
+import { expect, test, type BasicPage, type Locator } from './engines';
+import { choose, chooseLanguage, open, settled, type, type Playground } from './page';
+
+const course = join(__dirname, '../../www/exercises/course.json');
+const ids = JSON.parse(readFileSync(course, 'utf8')) as readonly string[];
+const [id = ''] = ids;
+const program = (name: string): string => readFileSync(join(__dirname, '../exercise', id, `${name}.nc`), 'utf8');
+
+const report = (page: BasicPage): Locator => page.locator('.exercise-report');
+const check = (page: BasicPage): Promise<void> => page.getByRole('button', { name: 'Check', exact: true }).click();
+
+const openList = (page: BasicPage): Promise<void> => choose(page, 'program', 'Exercises…');
+
+test('a learner fails, takes a hint, passes, reloads and goes on', async ({ page }) => {
+  await open(page);
+  await openList(page);
+  const list = page.getByRole('dialog', { name: 'Exercises' });
+  await expect(list.getByRole('listitem')).toHaveCount(ids.length);
+  await expect(list.getByRole('status')).toContainText(`0 of ${ids.length} passed`);
+  await list.getByRole('link').first().click();
+  await expect(page.locator('.exercise-task')).toContainText(/\S/);
+  await expect(page.getByRole('img', { name: 'Drawing of the part' })).toBeVisible();
+
+  await type(page, 'G00 X100 Z100\nM30');
+  await check(page);
+  await expect(report(page)).toContainText('Not passed');
+  await expect(page.locator('.exercise-hints li')).toHaveCount(0);
+  await page.getByRole('button', { name: 'Hint 1 of 3' }).click();
+  await expect(page.locator('.exercise-hints li')).toHaveCount(1);
+
+  await type(page, program('reference'));
+  await check(page);
+  await expect(page.locator('.exercise-verdict.passed')).toBeVisible();
+  await expect(report(page)).not.toContainText('Not passed');
+
+  await page.reload();
+  await settled(page);
+  await expect(page.locator('.exercise-task')).toContainText(/\S/);
+  expect(await page.evaluate(() => document.querySelector<Playground>('gcode-playground')!.value.trim())).toBe(
+    program('reference').trim(),
+  );
+  await openList(page);
+  await expect(list.getByRole('status')).toContainText(`1 of ${ids.length} passed`);
+  await expect(list.getByRole('link', { name: 'Certificate' })).toBeVisible();
+});
+
+test('an exercise is in the language of the page', async ({ page }) => {
+  await open(page, `#exercise=${id}`);
+  const task = page.locator('.exercise-task');
+  await expect(task).toContainText(/\S/);
+  const english = await task.textContent();
+  await chooseLanguage(page, 'zh');
+  await expect(page.getByRole('button', { name: '检查', exact: true })).toBeVisible();
+  expect(await task.textContent()).not.toBe(english);
+});
+
+test('an element reports each check of its exercise', async ({ page }) => {
+  await openHtml(page, manual(`<gcode-playground exercise="/exercises/${id}.md"></gcode-playground>`));
+  await settled(page);
+  await expect(page.locator('.exercise-task')).toContainText(/\S/);
+  const detail = page.evaluate(
+    () =>
+      new Promise((resolve) =>
+        document.addEventListener('gcode-checked', (event) => resolve((event as CustomEvent<object>).detail), {
+          once: true,
+        }),
+      ),
+  );
+  await check(page);
+  expect(await detail).toMatchObject({ id, passed: false, hints: 0 });
+});
+
+test('a faulty exercise file names its line', async ({ page }) => {
+  await openHtml(page, manual('<gcode-playground exercise="data:text/plain,no%20head"></gcode-playground>'));
+  await settled(page);
+  await expect(report(page)).toContainText('The exercise file has a fault in line 1');
+});

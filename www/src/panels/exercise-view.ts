@@ -1,0 +1,305 @@
+// An exercise: the task with its drawing, hints on request, and the report on the learner's program.
+//
+// In: the address of an exercise file; the answers of the worker, in the language of the element. Out: the first program
+// and the setup of the exercise; the event `gcode-checked` of the element after each check. Loaded when it is first
+// shown. Must not know: how a part is measured.
+
+import { make, renderUnbroken } from '../dom/dom';
+import { withTimeout } from '../dom/timeout';
+import { COMMON, words } from '../dom/words';
+import { programText } from '../editor/program-text';
+import type { ExerciseText, Graded } from '../protocol/protocol';
+import type { Shell } from './panel';
+import exerciseStyles from './exercise-view.css?inline';
+
+export { exerciseStyles };
+
+/** The longest exercise file, characters, as the interpreter reads it. */
+const MAX_LENGTH = 65_536;
+const TIMEOUT_MS = 20_000;
+
+/** The detail of the event `gcode-checked`. */
+export interface CheckedDetail {
+  readonly id: string;
+  readonly passed: boolean;
+  /** Number of hints that the learner has opened. */
+  readonly hints: number;
+  readonly checks: readonly { readonly name: string; readonly passed: boolean }[];
+}
+
+export class ExerciseView {
+  readonly element: HTMLElement;
+  readonly #shell: Shell;
+  readonly #address: string;
+  readonly #title = make('h3', { className: 'exercise-title' });
+  readonly #task = make('div', { className: 'exercise-task' });
+  readonly #drawing = make('img', { className: 'exercise-drawing', alt: '', hidden: true });
+  readonly #hints = make('ol', { className: 'exercise-hints' });
+  readonly #checkButton = make('button', { type: 'button', className: 'primary' });
+  readonly #hintButton = make('button', { type: 'button' });
+  readonly #report = make('div', { className: 'exercise-report', 'aria-live': 'polite' });
+  #text = '';
+  #exercise: ExerciseText | undefined;
+  #shownHints = 0;
+  /** Number of the check, so that a late report on an earlier program is dropped. */
+  #check = 0;
+
+  constructor(shell: Shell, address: string) {
+    this.#shell = shell;
+    this.#address = address;
+    this.#checkButton.addEventListener('click', () => void this.#runCheck());
+    this.#hintButton.addEventListener('click', () => this.#showNextHint());
+    this.element = make(
+      'section',
+      { className: 'exercise-view' },
+      this.#title,
+      make('div', { className: 'exercise-text' }, this.#task, this.#drawing),
+      this.#hints,
+      make('div', { className: 'exercise-buttons' }, this.#checkButton, this.#hintButton),
+      this.#report,
+    );
+  }
+
+  /** Loads the file and shows the exercise; a program that the host page has set stays. */
+  async start(): Promise<void> {
+    const texts = WORDS[this.#shell.language];
+    const text = await load(this.#address);
+    if (text === undefined) return this.#showFault(texts.notLoaded);
+    this.#text = text;
+    await this.reload();
+    const exercise = this.#exercise;
+    if (exercise === undefined) return;
+    const hasJson = exercise.setup.trimStart().startsWith('{');
+    const begin = hasJson ? exercise.program : `${exercise.setup.trim()}\n${exercise.program}`;
+    if (this.#shell.editor.text.trim() === '' && begin !== '')
+      this.#shell.replaceProgram(programText(begin), undefined, 'same');
+    if (hasJson) this.#shell.changeSetup(exercise.setup);
+  }
+
+  /** Shows the exercise in the language of the element. */
+  async reload(): Promise<void> {
+    const answer = await this.#shell.ask('exercise', { text: this.#text });
+    if (answer === undefined) return;
+    const { read, drawing } = answer;
+    const texts = WORDS[this.#shell.language];
+    if (read.kind === 'fault') return this.#showFault(texts.fault(read.line, read.message));
+    this.#exercise = read;
+    this.#render(read, drawing);
+  }
+
+  /** The report is about an earlier program. */
+  programChanged(): void {
+    this.#check++;
+    this.#report.classList.add('is-outdated');
+  }
+
+  #showFault(message: string): void {
+    this.#report.replaceChildren(make('p', { className: 'exercise-fault' }, message));
+    this.#checkButton.hidden = this.#hintButton.hidden = true;
+  }
+
+  #render(exercise: ExerciseText, drawing: string | undefined): void {
+    const texts = WORDS[this.#shell.language];
+    this.#title.textContent = exercise.title;
+    this.#task.replaceChildren(...paragraphs(exercise.task));
+    this.#checkButton.textContent = texts.check;
+    this.#setDrawing(drawing);
+    this.#renderHints(exercise);
+  }
+
+  #setDrawing(svg: string | undefined): void {
+    URL.revokeObjectURL(this.#drawing.src);
+    this.#drawing.hidden = svg === undefined;
+    this.#drawing.alt = WORDS[this.#shell.language].drawing;
+    if (svg !== undefined) this.#drawing.src = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
+  }
+
+  #renderHints({ hints }: ExerciseText): void {
+    this.#hints.replaceChildren(...hints.slice(0, this.#shownHints).map((hint) => make('li', {}, ...inline(hint))));
+    this.#hintButton.hidden = this.#shownHints >= hints.length;
+    this.#hintButton.textContent = WORDS[this.#shell.language].hint(this.#shownHints + 1, hints.length);
+  }
+
+  #showNextHint(): void {
+    if (this.#exercise === undefined) return;
+    this.#shownHints++;
+    this.#renderHints(this.#exercise);
+  }
+
+  async #runCheck(): Promise<void> {
+    this.#shell.flush();
+    const check = ++this.#check;
+    const report = await this.#shell.ask('check-exercise', { text: this.#text });
+    if (report === undefined || check !== this.#check) return;
+    this.#showReport(report);
+    const detail: CheckedDetail = {
+      id: this.#exercise?.id ?? '',
+      passed: report.passed,
+      hints: this.#shownHints,
+      checks: report.checks.map(({ check, passed }) => ({ name: check, passed })),
+    };
+    this.#shell.root.host.dispatchEvent(new CustomEvent('gcode-checked', { detail, bubbles: true, composed: true }));
+  }
+
+  #showReport(report: Graded): void {
+    const texts = WORDS[this.#shell.language];
+    this.#report.classList.remove('is-outdated');
+    const verdict = make(
+      'p',
+      { className: report.passed ? 'exercise-verdict passed' : 'exercise-verdict' },
+      ...renderUnbroken(report.part),
+      ...this.#lineButton(report.line),
+    );
+    const { cause } = report;
+    this.#report.replaceChildren(
+      verdict,
+      ...(cause === undefined
+        ? []
+        : [make('p', { className: 'exercise-cause' }, cause.text, ...this.#lineButton(cause.line))]),
+      this.#checkList(report.checks),
+      ...(report.sizes.length === 0 ? [] : [measuringReport(report.sizes, texts)]),
+    );
+  }
+
+  #checkList(checks: Graded['checks']): HTMLElement {
+    const texts = WORDS[this.#shell.language];
+    return make(
+      'ul',
+      { className: 'exercise-checks' },
+      ...checks.map(({ check, passed, found, line }) =>
+        make(
+          'li',
+          { className: passed ? 'passed' : 'failed' },
+          make('span', { className: 'exercise-mark' }, passed ? texts.passed : texts.failed),
+          found === '' ? check : `${check}: ${found}`,
+          ...this.#lineButton(passed ? undefined : line),
+        ),
+      ),
+    );
+  }
+
+  /** A button that selects a line of the program. */
+  #lineButton(line: number | undefined): HTMLElement[] {
+    if (line === undefined) return [];
+    const button = make('button', { type: 'button', className: 'link' }, COMMON[this.#shell.language].line(line));
+    button.addEventListener('click', () => this.#shell.goTo(spanOf(this.#shell.editor.text, line)));
+    return [button];
+  }
+}
+
+/** The text of the file; undefined if it cannot be loaded or is too long. */
+async function load(address: string): Promise<string | undefined> {
+  try {
+    const response = await withTimeout(fetch(new URL(address, document.baseURI)), TIMEOUT_MS);
+    if (response === 'timeout' || !response.ok) return undefined;
+    const text = await response.text();
+    return text.length > MAX_LENGTH ? undefined : text;
+  } catch {
+    return undefined;
+  }
+}
+
+/** The place of a line, counted from 1. */
+function spanOf(text: string, line: number): { readonly from: number; readonly to: number } {
+  const before = text
+    .split('\n')
+    .slice(0, line - 1)
+    .join('\n').length;
+  const from = line === 1 ? 0 : before + 1;
+  const end = text.indexOf('\n', from);
+  return { from, to: end === -1 ? text.length : end };
+}
+
+type Texts = (typeof WORDS)['en'];
+
+/** Nominal size, actual size, deviation, in or out. */
+function measuringReport(sizes: Graded['sizes'], texts: Texts): HTMLElement {
+  const head = [texts.size, texts.wanted, texts.actual, texts.deviation, ''];
+  const rows = sizes.map((size) => {
+    const cells = [
+      size.nominal.toFixed(2),
+      size.actual?.toFixed(3) ?? '–',
+      size.deviation?.toFixed(3) ?? '–',
+      size.in ? texts.within : texts.outside,
+    ];
+    const name = make('th', { scope: 'row' }, `${size.name} ${size.place}`);
+    return make('tr', { className: size.in ? '' : 'failed' }, name, ...cells.map((text) => make('td', {}, text)));
+  });
+  return make(
+    'details',
+    { className: 'exercise-sizes' },
+    make('summary', {}, texts.sizes),
+    make(
+      'table',
+      {},
+      make('thead', {}, make('tr', {}, ...head.map((text) => make('th', { scope: 'col' }, text)))),
+      make('tbody', {}, ...rows),
+    ),
+  );
+}
+
+function paragraphs(text: string): HTMLElement[] {
+  return text
+    .split(/\n\s*\n/)
+    .filter((paragraph) => paragraph.trim() !== '')
+    .map((paragraph) => make('p', {}, ...inline(paragraph)));
+}
+
+/** Text with `code` between backticks. */
+function inline(text: string): (HTMLElement | string)[] {
+  return text
+    .replace(/\s+/g, ' ')
+    .split('`')
+    .map((piece, at) => (at % 2 === 1 ? make('code', {}, piece) : piece));
+}
+
+const WORDS = words({
+  en: {
+    check: 'Check',
+    hint: (next: number, all: number) => `Hint ${next} of ${all}`,
+    drawing: 'Drawing of the part',
+    passed: 'Passed',
+    failed: 'Not passed',
+    sizes: 'Measuring report',
+    size: 'Size',
+    wanted: 'Wanted',
+    actual: 'Actual',
+    deviation: 'Deviation',
+    within: 'in',
+    outside: 'out',
+    notLoaded: 'The exercise could not be loaded.',
+    fault: (line: number, message: string) => `The exercise file has a fault in line ${line}: ${message}`,
+  },
+  zh: {
+    check: '检查',
+    hint: (next, all) => `提示 ${next}/${all}`,
+    drawing: '零件图',
+    passed: '通过',
+    failed: '未通过',
+    sizes: '测量报告',
+    size: '尺寸',
+    wanted: '要求',
+    actual: '实际',
+    deviation: '偏差',
+    within: '合格',
+    outside: '超差',
+    notLoaded: '练习加载失败。',
+    fault: (line, message) => `练习文件第 ${line} 行有错误：${message}`,
+  },
+  ru: {
+    check: 'Проверить',
+    hint: (next, all) => `Подсказка ${next} из ${all}`,
+    drawing: 'Чертёж детали',
+    passed: 'Выполнено',
+    failed: 'Не выполнено',
+    sizes: 'Протокол измерений',
+    size: 'Размер',
+    wanted: 'Требуется',
+    actual: 'Факт',
+    deviation: 'Отклонение',
+    within: 'в допуске',
+    outside: 'вне допуска',
+    notLoaded: 'Упражнение не удалось загрузить.',
+    fault: (line, message) => `В файле упражнения ошибка в строке ${line}: ${message}`,
+  },
+});
