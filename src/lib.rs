@@ -70,19 +70,32 @@ pub mod control;
 #[doc(hidden)]
 pub mod current;
 #[doc(hidden)]
+pub mod exercise;
+#[doc(hidden)]
 pub mod expand;
 #[doc(hidden)]
 pub mod figures;
 #[doc(hidden)]
 pub mod findings;
 #[doc(hidden)]
+pub mod format;
+#[doc(hidden)]
 pub mod paste;
 #[doc(hidden)]
 pub mod playback;
 #[doc(hidden)]
+pub mod proof;
+#[doc(hidden)]
+pub mod references;
+#[doc(hidden)]
+pub mod renumber;
+#[doc(hidden)]
 pub mod repair;
 #[doc(hidden)]
 pub mod rewrite;
+#[cfg(all(feature = "cli", any(not(target_arch = "wasm32"), feature = "npx")))]
+#[doc(hidden)]
+pub mod server;
 #[doc(hidden)]
 pub mod text;
 #[cfg(all(target_arch = "wasm32", not(feature = "npx")))]

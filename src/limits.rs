@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 /// The resources that a run may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(transform = with_maxima))]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Limits {
     /// Maximum length of the text, bytes.
@@ -100,6 +101,15 @@ impl Limits {
             Some((name, set, most)) => Err(format!("limits.{name} is {set}; it can be {most} at most")),
             None => Ok(()),
         }
+    }
+}
+
+/// Adds the maximum of each limit to its schema.
+#[cfg(feature = "cli")]
+fn with_maxima(schema: &mut schemars::Schema) {
+    let Some(properties) = schema.get_mut("properties") else { return };
+    for (name, _, most) in Limits::default().settings() {
+        properties[name]["maximum"] = most.into();
     }
 }
 

@@ -8,9 +8,10 @@
 //! and repairing again changes nothing.
 
 use crate::limits::Limits;
+use crate::message::applied;
 use crate::message::{Diagnostic, Edit, Fix, Repair};
 use crate::order;
-use crate::rewrite::{applied, before_edits};
+use crate::rewrite::before_edits;
 use crate::setup::Setup;
 use crate::source::Span;
 

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 /// A unit of length of the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 pub enum Unit {
     /// Millimetre (G21).
     #[default]
@@ -63,6 +64,7 @@ impl Unit {
 /// An X value as a diameter, mm. Inside the crate X is a radius ([`Point`](crate::geometry::Point)); this
 /// type is the only way from one to the other, so that they cannot be confused.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd, Deserialize, Serialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(transparent)]
 pub struct Diameter(f64);

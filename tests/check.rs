@@ -1,62 +1,13 @@
 //! `gcode-playground check` as a team uses it on its programs: paths, formats, selection, baseline, exit
 //! status.
 use std::fs;
-use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Output};
 
 use serde_json::{Value, json};
 
-const FAULTY: &str = "O1\nM3 S500\nG0 X\nM30\n";
+use crate::folder::{FAULTY, Folder, err, out, rows};
+
 const RIGHT: &str = "O2\nM3 S500\nG0 X50 Z2\nM30\n";
-
-/// A separate folder for a test.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("check").join(name);
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).expect("a folder");
-        Self(path)
-    }
-
-    fn with(self, file: &str, content: impl AsRef<[u8]>) -> Self {
-        let path = self.0.join(file);
-        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
-        fs::write(path, content).expect(file);
-        self
-    }
-
-    fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_gcode-playground"));
-        command.current_dir(&self.0).arg("check").args(arguments).env_remove("NO_COLOR");
-        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        command
-    }
-
-    fn check(&self, arguments: &[&str]) -> Output {
-        self.command(arguments).output().expect("it runs")
-    }
-
-    fn piped(&self, arguments: &[&str], input: &[u8]) -> Output {
-        let mut child = self.command(arguments).spawn().expect("it starts");
-        let _ = child.stdin.take().expect("stdin").write_all(input);
-        child.wait_with_output().expect("output")
-    }
-}
-
-fn out(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).expect("UTF-8")
-}
-
-fn err(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).expect("UTF-8")
-}
-
-fn rows(output: &Output) -> Vec<Value> {
-    out(output).lines().map(|line| serde_json::from_str(line).expect("one object a line")).collect()
-}
 
 /// The files that a check has read, in order.
 fn files(folder: &Folder, arguments: &[&str]) -> Vec<String> {
@@ -275,7 +226,7 @@ fn names_and_texts_of_any_kind_are_reported_as_they_are() {
 #[test]
 fn control_characters_of_a_file_never_reach_the_terminal() {
     let folder = Folder::new("control").with("a.nc", "O1\nG0 X (\u{1b}[31mRED\u{7})\nM30\n");
-    for format in ["text", "json", "sarif", "github", "junit", "markdown"] {
+    for format in ["text", "concise", "json", "sarif", "github", "gitlab", "rdjson", "junit", "markdown"] {
         let output = folder.check(&["a.nc", "--format", format, "--color", "never"]);
         let found = out(&output).bytes().find(|byte| *byte < b' ' && *byte != b'\n');
         assert_eq!(found, None, "{format}: {}", out(&output));

@@ -5,7 +5,7 @@ use std::process::{Command, Output, Stdio};
 
 use serde_json::{Value, json};
 
-fn run(arguments: &[&str], input: &[u8]) -> Output {
+pub fn run(arguments: &[&str], input: &[u8]) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_gcode-playground"))
         .args(arguments)
         .stdin(Stdio::piped())
@@ -23,7 +23,7 @@ fn rows(output: &Output) -> Vec<Value> {
     text.lines().map(|line| serde_json::from_str(line).expect("one object a line")).collect()
 }
 
-fn file(name: &str, content: &str) -> PathBuf {
+pub fn file(name: &str, content: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::write(&path, content).expect(name);
     path
@@ -541,7 +541,7 @@ fn no_output_has_a_control_character_of_a_program() {
     let [one, other] = [files[0].as_str(), files[1].as_str()];
     let missing = folder.join("no\x1b[31m.nc");
     let missing = missing.to_str().expect("UTF-8");
-    for format in ["text", "json", "sarif", "github", "junit", "markdown"] {
+    for format in ["text", "concise", "json", "sarif", "github", "gitlab", "rdjson", "junit", "markdown"] {
         for language in ["en", "zh", "ru"] {
             let check = ["check", one, other, "--format", format, "--lang", language];
             assert!(has_no_commands(&check, b"", false) > 1000, "{format}");

@@ -27,6 +27,7 @@ use calls::PROGRAM;
 use documents::DOCUMENTS;
 use figures::{FIGURES, Held};
 use gcode_playground::analyze;
+use gcode_playground::exercise::Exercise;
 use gcode_playground::setup::Setup;
 use markdown::Document;
 use project::{ROOT, files, source};
@@ -34,7 +35,7 @@ use serde_json::Value;
 
 /// Commands and snippets that no test runs, and the reason. `cargo xtask …` is checked by a test of xtask,
 /// which reads the same documents.
-const NOT_RUN: [(&str, &str); 18] = [
+const NOT_RUN: [(&str, &str); 24] = [
     ("python3 -m zipfile", "`tests/browser/stored.spec.ts` runs it, and unpacks it elsewhere"),
     ("python3 -m http.server", "the same test serves the page with it"),
     ("index.html#share=1.<count>", "the form of links; `tests/browser/links.spec.ts` makes and opens them"),
@@ -43,6 +44,9 @@ const NOT_RUN: [(&str, &str); 18] = [
     ("<style>", "`tests/browser/many.spec.ts` has it in a page, and looks for it here"),
     ("import { check, motions, svg }", "`tests/browser/package.spec.ts` runs it under Node"),
     ("npx create-docusaurus@3 site classic", "`tests/manuals/recipes.py` needs the packages of such a site"),
+    ("<script setup>", "`tests/browser/frameworks.spec.ts` builds it"),
+    ("<script>", "the same"),
+    ("<iframe id=\"example\"", "`tests/browser/height.spec.ts` has it in a page"),
     ("<link rel=\"preload\"", "`tests/browser/many.spec.ts` has it in a page, and looks for it here"),
     (
         "cargo install --path .",
@@ -60,12 +64,16 @@ const NOT_RUN: [(&str, &str); 18] = [
     ("cargo doc --open", "it opens a browser; the examples of the documentation are tests of the crate"),
     ("gzip -9", "how sizes are counted; xtask weighs the module in this way"),
     ("# rapid-through-stock", "a sketch of a rule file; the build reads all of them"),
+    ("vim.filetype.add(", "the configuration of another program, which no test has"),
+    ("(define-derived-mode gcode-mode", "the same"),
+    ("[language-server.gcode-playground]", "the same"),
     ("text ──►", "a drawing"),
     ("geometry  ", "the order of the rooms, which `tests/rooms.rs` reads"),
 ];
 
 /// Files that the documents name and that only a build creates.
-const BUILT: [(&str, &str); 10] = [
+const BUILT: [(&str, &str); 11] = [
+    ("languages.toml", "the configuration of an editor, Helix"),
     (
         "service-worker.js",
         "`cargo xtask site`; `tests/browser/offline.spec.ts` has it answer without a network",
@@ -386,6 +394,8 @@ fn every_snippet_is_what_it_seems() {
                 Setup::from_json(&block).unwrap_or_else(|error| panic!("{document}: {error}\n{block}"));
             } else if block.starts_with("control = ") {
                 configures(document, &block);
+            } else if block.starts_with("---\nid: ") {
+                Exercise::read(&block).unwrap_or_else(|error| panic!("{document}: {error:?}\n{block}"));
             } else if block.starts_with('(') {
                 let analysis = analyze(format!("{block}\nM30\n").as_bytes(), &Setup::default());
                 assert!(analysis.diagnostics.is_empty(), "{document}: {:?}\n{block}", analysis.diagnostics);
@@ -428,7 +438,7 @@ fn configures(document: &str, text: &str) {
 
 /// The attributes that the element observes.
 fn observed() -> Vec<String> {
-    let element = source("www/src/shell/element.ts");
+    let element = source("www/src/shell/element-attributes.ts");
     let list = element.split("observedAttributes = [").nth(1).and_then(|rest| rest.split(']').next());
     list.expect("the element's attributes")
         .split(',')

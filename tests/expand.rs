@@ -1,7 +1,7 @@
 //! The output of `expand` does the same as the program: the same motions at the same feed and speed, with the
 //! same tool and spindle direction, and without additional messages.
 #[path = "random_programs/shop.rs"]
-mod shop;
+pub mod shop;
 
 use crate::fixtures;
 use crate::format;

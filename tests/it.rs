@@ -11,6 +11,8 @@ mod circle;
 #[path = "mutations/classes.rs"]
 mod classes;
 mod fixtures;
+#[path = "fixtures/folder.rs"]
+mod folder;
 #[path = "../src/rules/format/mod.rs"]
 mod format;
 #[path = "documentation/markdown.rs"]
@@ -36,12 +38,17 @@ mod current;
 mod cycles;
 mod difference;
 mod documentation;
+mod element;
+mod exercise;
 mod expand;
 mod export;
 mod figures;
 mod files;
+mod fixes;
+mod formatting;
 mod glossary;
 mod golden;
+mod ignored;
 mod library;
 mod line_ends;
 mod lints;
@@ -62,13 +69,17 @@ mod programs_and_macros;
 mod properties;
 mod real_programs;
 mod reference_pages;
+mod renumber;
 mod repair;
+mod reports;
 mod rewrite;
 mod rooms;
 mod rooms_of_the_page;
 mod rule_changes;
 mod rule_pages;
+mod schemas;
 mod seed_statements;
+mod server;
 mod setup;
 mod spelling;
 mod style_sheets;

@@ -3,8 +3,9 @@
 
 use crate::fixtures;
 use gcode_playground::analyze;
+use gcode_playground::message::applied;
 use gcode_playground::motion::{Feed, MotionKind};
-use gcode_playground::rewrite::{Offer, applied, offers, rewritten};
+use gcode_playground::rewrite::{Offer, offers, rewritten};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::source::Span;

@@ -2,8 +2,8 @@
 //! program names.
 use gcode_playground::analyze;
 use gcode_playground::message::Severity;
+use gcode_playground::message::applied;
 use gcode_playground::repair::repaired;
-use gcode_playground::rewrite::applied;
 use gcode_playground::run::{Run, TextEdit};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;

@@ -19,6 +19,7 @@ const CHROMIUM_ONLY = specFiles(
   'devices',
   'dialogs',
   'docs',
+  'frameworks',
   'killed-while-typing',
   'manual',
   'links',

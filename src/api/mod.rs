@@ -7,6 +7,7 @@
 pub mod assist;
 pub mod calculate;
 pub mod difference;
+pub mod exercise;
 mod inferred_stock;
 mod manual;
 pub mod paste;
@@ -27,7 +28,7 @@ pub use profiles::Profiles;
 pub use read_as::{ReadAs, ReadFact};
 pub use readout::{Readout, Shown, Stop, Time};
 pub use rewrite::Rewriting;
-pub use rules::Rule;
+pub use rules::{Rule, RulePage};
 pub use units::Units;
 
 use crate::control::codes;
@@ -116,6 +117,19 @@ pub struct InFile<'a, T> {
     /// The row.
     #[serde(flatten)]
     pub row: T,
+}
+
+/// A row about a message, with what the page of its rule adds.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OfRule<T> {
+    /// The row.
+    #[serde(flatten)]
+    pub row: T,
+    /// The title of the rule.
+    pub title: &'static str,
+    /// The address of the page of the rule, if it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub url: Option<String>,
 }
 
 /// A fix for a fault.

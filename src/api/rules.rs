@@ -1,4 +1,4 @@
-//! The row of a rule.
+//! The rows of a rule and its page.
 
 use serde::Serialize;
 
@@ -26,4 +26,27 @@ impl Rule {
         let &message::Rule { slug, codes, kind, alarms, .. } = rule;
         Self { slug, codes, severity: severity.name(), kind: kind.name(), alarms }
     }
+}
+
+/// The page of a rule, as `explain --format json` writes it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RulePage {
+    /// The rule, with its default severity.
+    #[serde(flatten)]
+    pub rule: Rule,
+    /// The name of the fault.
+    pub title: &'static str,
+    /// What the rule checks.
+    pub what: &'static str,
+    /// The consequence at the machine.
+    pub why: &'static str,
+    /// How to repair it.
+    pub repair: &'static str,
+    /// The setup of both programs; absent for the default.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub setup: Option<serde_json::Value>,
+    /// A program that triggers the rule.
+    pub wrong: &'static str,
+    /// The corrected program.
+    pub right: &'static str,
 }

@@ -133,7 +133,7 @@ impl<'a> Query<'a> {
             return Some(Hover { quantity, ..Hover::of(span, Role::ProgramNumber) });
         }
         let sequence = block.sequence.and_then(|number| {
-            let span = sequence_span(text, block.span.start as usize, block.span.end as usize)?;
+            let span = sequence_span(text, block)?;
             at(&span).then_some((number, span))
         });
         if let Some((number, span)) = sequence {

@@ -12,6 +12,7 @@ pub mod hover;
 pub mod names;
 pub mod outline;
 pub mod place;
+pub mod rename;
 pub mod role;
 pub mod signature;
 pub mod snippet;

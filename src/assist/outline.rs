@@ -8,6 +8,7 @@ use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::{self, Function, G, GCode, MotionMode};
 use crate::control::words::plain;
 use crate::setup::dialect::CodeList;
+use crate::setup::ignored::is_ignore_comment;
 use crate::setup::notes::Notes;
 use crate::source::{Span, line_end};
 use crate::text::block::{Block, BlockKind};
@@ -162,7 +163,9 @@ impl Outlining<'_> {
         // Both lists are in text order.
         let is_note = |comment: &Span| {
             let next = self.notes.partition_point(|note| note.start < comment.start);
-            self.notes.get(next).is_some_and(|note| comment.contains(*note))
+            let is_setup = self.notes.get(next).is_some_and(|note| comment.contains(*note));
+            let inside = comment.of(self.text);
+            is_setup || is_ignore_comment(inside.strip_prefix(b"(").unwrap_or(inside))
         };
         block.comments.iter().find(|comment| !is_note(comment)).copied()
     }

@@ -31,21 +31,15 @@ pub struct Uses {
 
 /// The uses of the number at a byte, or of the number that ends there; `None` if there is no number.
 pub fn uses(text: &[u8], codes: CodeList, byte: u32) -> Option<Uses> {
-    let mut own = None;
-    read_line(text, line_around(text, byte as usize), codes, |named, _| {
-        own = own.or(named.iter().find(|named| named.span.start <= byte && byte <= named.span.end).copied());
-    });
-    let own = own?;
+    let own = name_at(text, codes, byte)?;
     let found = all(text, codes, own.name);
     let program = found.iter().find(|(named, _)| named.span == own.span).map(|&(_, program)| program)?;
-    let is_local = match own.name {
-        Name::Sequence(_) => true,
-        Name::Program(_) => false,
-        Name::Variable(number) => number < FIRST_COMMON,
-    };
+    let is_local = is_local(own.name);
     let mut places: Vec<Named> = found
         .into_iter()
-        .filter(|(named, of)| !is_local || *of == program || named.anywhere || own.anywhere)
+        .filter(|(named, of)| {
+            !is_local || *of == program || named.scope.is_elsewhere() || own.scope.is_elsewhere()
+        })
         .map(|(named, _)| named)
         .collect();
     let is_cut = places.len() > MAX_USES;
@@ -59,11 +53,29 @@ pub fn uses(text: &[u8], codes: CodeList, byte: u32) -> Option<Uses> {
     Some(Uses { name: own.name, next: next.or(following.clone().next()).unwrap_or(at), places, is_cut })
 }
 
+/// The number at a byte, or the number that ends there.
+pub fn name_at(text: &[u8], codes: CodeList, byte: u32) -> Option<Named> {
+    let mut own = None;
+    read_line(text, line_around(text, byte as usize), codes, |named, _| {
+        own = own.or(named.iter().find(|named| named.span.start <= byte && byte <= named.span.end).copied());
+    });
+    own
+}
+
+/// Whether a name belongs to its program: all programs share the others.
+pub fn is_local(name: Name) -> bool {
+    match name {
+        Name::Sequence(_) => true,
+        Name::Program(_) => false,
+        Name::Variable(number) => number < FIRST_COMMON,
+    }
+}
+
 /// All positions of a name, each with the index of its program in the text, from 0.
-fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
+pub fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
     let digits = name.number().to_string();
     let names_program = matches!(name, Name::Program(number) if program_name::is_name(number));
-    let (mut found, mut program, mut begun) = (Vec::new(), 0, false);
+    let (mut found, mut programs) = (Vec::new(), ProgramCount::new(text));
     let mut start = 0;
     while start < text.len() {
         let line = line_around(text, start);
@@ -71,18 +83,41 @@ fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
         let may_use = if names_program { own.contains(&b'<') } else { ends_a_number(own, digits.as_bytes()) };
         if may_begin_a_program(own) || may_use {
             read_line(text, line, codes, |named, block| {
-                // The head of a program. The first program of a text may lack one.
-                program += u32::from(block.program.is_some() && begun);
-                begun |= block.program.is_some() || !block.is_empty();
+                let program = programs.index_of(text, block);
                 found.extend(
                     named.into_iter().filter(|named| named.name == name).map(|named| (named, program)),
                 );
             });
         }
-        begun |= own.iter().any(|byte| byte.is_ascii_alphanumeric());
         start = line.end as usize + 1;
     }
     found
+}
+
+/// Counts the programs of a text. Blocks may be left out if they begin no program.
+pub(super) struct ProgramCount {
+    /// The first letter or digit of the text.
+    first: usize,
+    index: u32,
+    has_begun: bool,
+}
+
+impl ProgramCount {
+    pub(super) fn new(text: &[u8]) -> Self {
+        let first = text.iter().position(u8::is_ascii_alphanumeric).unwrap_or(text.len());
+        Self { first, index: 0, has_begun: false }
+    }
+
+    /// The index of the program of the next block. The first program of a text may lack a head.
+    pub(super) fn index_of(&mut self, text: &[u8], block: &Block) -> u32 {
+        let is_later = || self.first < line_around(text, block.span.start as usize).start as usize;
+        let begins = block.program.is_some();
+        if begins && (self.has_begun || is_later()) {
+            self.index += 1;
+        }
+        self.has_begun |= begins || !block.is_empty();
+        self.index
+    }
 }
 
 /// Passes the blocks of a line to `take`, with the names in each.

@@ -7,9 +7,12 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand};
 
 use super::options::{
-    ControlName, Destination, Form, Input, LanguageName, Texts, TurretName, ViewName, With,
+    ControlName, Destination, Form, Input, LanguageName, PageFormat, Texts, TurretName, ViewName, With,
 };
-use super::{check, clean, configuration, diff, embed};
+use super::schema::SchemaOf;
+#[cfg(not(target_arch = "wasm32"))]
+use super::server;
+use super::{check, clean, configuration, diff, embed, format, grade, renumber};
 use crate::export::figure::Subject;
 use crate::export::file::FileFormat;
 
@@ -49,6 +52,10 @@ pub(super) enum Command {
         #[command(flatten)]
         to: Destination,
     },
+    /// Write blanks, case and the leading zeros of G and M codes uniformly. The motions stay the same.
+    Format(format::Format),
+    /// Write new sequence numbers (N); P, Q, GOTO and M99 P follow. The motions stay the same.
+    Renumber(renumber::Renumber),
     /// List the codes that are supported.
     Codes {
         /// Only those of this control, as it writes them.
@@ -75,9 +82,20 @@ pub(super) enum Command {
         rule: String,
         #[command(flatten)]
         texts: Texts,
+        /// Text for people, one JSON object for each rule, or Markdown for a page.
+        #[arg(long, value_enum, default_value = "text")]
+        format: PageFormat,
+    },
+    /// Print the JSON Schema of a setup or of a configuration, for editors.
+    Schema {
+        /// The kind of file.
+        of: SchemaOf,
     },
     /// Show what a program is run with and how it is checked, and which file or option says so.
     Config(configuration::shown::Config),
+    /// Answer an editor on standard input and output, as a server of the Language Server Protocol.
+    #[cfg(not(target_arch = "wasm32"))]
+    Server(server::Serve),
     /// Print what a shell needs to complete commands and options.
     #[cfg(not(target_arch = "wasm32"))]
     Completions {
@@ -126,6 +144,15 @@ pub(super) enum Command {
     },
     /// Lay two versions of a program beside each other: the blocks that differ, and what each changes in the motion.
     Diff(diff::Diff),
+    /// Run the answers to an exercise, and list which make the wanted part and pass its checks.
+    Grade(grade::Grade),
+    /// Write the wanted part of an exercise from a program: its outline with tolerances, and its setup.
+    Target {
+        #[command(flatten)]
+        input: Input,
+        #[command(flatten)]
+        to: Destination,
+    },
     /// Draw the toolpath as SVG.
     Svg {
         #[command(flatten)]

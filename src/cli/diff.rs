@@ -4,9 +4,7 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
-
-use super::options::{Texts, With};
+use super::options::{PageFormat, Texts, With};
 use super::system::print_error_line;
 use super::{NAME, Program, Status, print, program_with, save_apart, write_row};
 use crate::api::difference::{Change, Later, ProgramDifference, Row};
@@ -33,20 +31,13 @@ pub(super) struct Diff {
     texts: Texts,
     /// How to write it.
     #[arg(long, value_enum, default_value = "text")]
-    format: DiffFormat,
+    format: PageFormat,
     /// Exit status 0 where the text differs and the motion does not.
     #[arg(long)]
     motions_only: bool,
     /// Where to draw the tool paths of both, as SVG.
     #[arg(short, long)]
     output: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum DiffFormat {
-    Text,
-    Json,
-    Markdown,
 }
 
 /// Compares two programs; the exit status says whether they differ.
@@ -65,9 +56,9 @@ pub(super) fn run(arguments: &Diff) -> Result<Status, String> {
     let names = [a.name_beside(b), b.name_beside(a)];
     let written = Report { rows: &rows, names: &names, language };
     print(|out| match format {
-        DiffFormat::Json => write_row(out, &rows),
-        DiffFormat::Text => out.write_all(written.text().as_bytes()),
-        DiffFormat::Markdown => out.write_all(written.markdown().as_bytes()),
+        PageFormat::Json => write_row(out, &rows),
+        PageFormat::Text => out.write_all(written.text().as_bytes()),
+        PageFormat::Markdown => out.write_all(written.markdown().as_bytes()),
     })?;
     if let Some(output) = output {
         if programs.iter().any(|program| program.analysis.motions.len() > MAX_STROKES) {
@@ -309,6 +300,6 @@ fn code(text: &str) -> String {
 }
 
 /// Escapes a text for a table cell in Markdown.
-fn cell(text: &str) -> String {
+pub(super) fn cell(text: &str) -> String {
     text.replace('|', "\\|").replace('<', "&lt;").replace(['\n', '\r'], " ")
 }

@@ -4,6 +4,7 @@
 //! written. The same program runs natively and under Node; `system` hides the difference.
 
 mod arguments;
+mod change;
 mod check;
 mod clean;
 mod compare;
@@ -13,17 +14,27 @@ mod embed;
 mod encoding;
 mod explain;
 mod export;
+mod format;
+mod grade;
 mod inferred_stock;
 mod manual;
 mod manual_page;
+mod markdown;
 mod options;
+mod renumber;
 mod rewrite;
+mod rule_page;
 mod rules;
+mod schema;
+#[cfg(not(target_arch = "wasm32"))]
+mod server;
 mod status;
 mod subprograms;
 mod summary;
 mod system;
+mod target;
 mod terminal;
+mod unified;
 
 use std::borrow::Cow;
 use std::io::{self, ErrorKind, Write};
@@ -152,6 +163,8 @@ fn run(command: Command) -> Result<Status, String> {
             Ok(status(&program.analysis))
         }
         Command::Rewrite { input, texts, to } => rewrite::write(&input, texts.language(), to.file()),
+        Command::Format(format) => format::run(&format),
+        Command::Renumber(renumber) => renumber::run(&renumber),
         Command::Codes { control, texts, form } => {
             let list = control.map(|name| CodeList::new(name.control(), GSystem::A));
             print(|out| codes(out, list, texts.language(), form.format))?;
@@ -162,13 +175,20 @@ fn run(command: Command) -> Result<Status, String> {
             print(|out| rules::write(out, &levels, texts.language(), form.format))?;
             Ok(Status::Right)
         }
-        Command::Explain { rule, texts } => {
+        Command::Explain { rule, texts, format } => {
             let mut page = Vec::new();
-            explain::write(&mut page, &rule, texts.language())?.expect("memory takes all that is written");
+            explain::write(&mut page, &rule, texts.language(), format)?
+                .expect("memory takes all that is written");
             print(|out| out.write_all(&page))?;
             Ok(Status::Right)
         }
+        Command::Schema { of } => {
+            print(|out| writeln!(out, "{:#}", schema::schema(of)))?;
+            Ok(Status::Right)
+        }
         Command::Config(asked) => configuration::shown::run(&asked),
+        #[cfg(not(target_arch = "wasm32"))]
+        Command::Server(arguments) => server::run(&arguments),
         #[cfg(not(target_arch = "wasm32"))]
         Command::Completions { shell } => {
             let mut script = Vec::new();
@@ -226,6 +246,12 @@ fn run(command: Command) -> Result<Status, String> {
             Ok(Status::faulty_if(programs.iter().any(|program| has_errors(&program.analysis))))
         }
         Command::Diff(arguments) => diff::run(&arguments),
+        Command::Grade(arguments) => grade::run(&arguments),
+        Command::Target { input, to } => {
+            let program = program(&input)?;
+            save_apart(to.file(), target::blocks(&program)?.as_bytes())?;
+            Ok(status(&program.analysis))
+        }
         Command::Svg { input, view, turret, figure, print, to } => {
             let program = program(&input)?;
             let svg = svg(&program, view, turret, figure, print)?;

@@ -145,3 +145,11 @@ pub(super) enum Format {
     Text,
     Json,
 }
+
+/// Format of a text that a page or a comment can contain.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum PageFormat {
+    Text,
+    Json,
+    Markdown,
+}

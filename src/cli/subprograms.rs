@@ -11,7 +11,8 @@ use std::path::PathBuf;
 
 use super::encoding;
 use super::system::{self, PathKind};
-use crate::control::program::calls_elsewhere;
+use crate::control::program::{calls_elsewhere, may_call};
+use crate::run::subprograms::Joined;
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind};
 use crate::text::parser::Parser;
@@ -28,37 +29,13 @@ const MAX_FILES: usize = 100;
 /// Maximum number of programs searched for; each search may read files.
 const MAX_SEARCHES: usize = 1000;
 
-/// A program with its subprograms.
-pub(super) struct Joined {
-    /// The program up to the `%` that ends it, then the subprograms.
-    pub text: Vec<u8>,
-    /// Length of the program itself, bytes.
-    own: usize,
-    /// Start of each subprogram, and the word in the program that calls it, directly or indirectly.
-    added: Vec<(usize, Span)>,
-}
-
-impl Joined {
-    /// Whether a span is in the program itself.
-    pub fn is_own(&self, place: Span) -> bool {
-        place.end as usize <= self.own
-    }
-
-    /// The first word of the program that calls the subprogram at a span; `None` in the program itself.
-    pub fn call(&self, place: Span) -> Option<Span> {
-        let until = self.added.partition_point(|(start, _)| *start <= place.start as usize);
-        self.added[..until].last().map(|(_, call)| *call)
-    }
-}
-
 /// Appends the missing subprograms to a program, at most `most` bytes in all; `None` if none is missing or
 /// none is found.
 pub(super) fn join(text: &[u8], folders: &[PathBuf], most: usize) -> Option<Joined> {
     if !may_call(text) {
         return None;
     }
-    let own = &text[..extent(text).end];
-    let mut joined = Joined { text: own.to_vec(), own: own.len(), added: Vec::new() };
+    let mut joined = Joined::new(&text[..extent(text).end]);
     let (mut looked_for, mut library) = (BTreeSet::new(), None);
     loop {
         let missing = calls_elsewhere(&joined.text)
@@ -66,33 +43,20 @@ pub(super) fn join(text: &[u8], folders: &[PathBuf], most: usize) -> Option<Join
             .filter(|(number, _)| looked_for.len() < MAX_SEARCHES && looked_for.insert(*number));
         let missing: Vec<(u32, Span, String)> =
             missing.map(|(number, word)| (number, word, word.quote(&joined.text))).collect();
-        let before = joined.added.len();
+        let before = joined.added();
         for (number, word, written) in missing {
             let library = library.get_or_insert_with(|| Library::of(folders));
             let Some(program) = library.find(number, &written, most) else { continue };
-            if joined.added.len() == MAX_FILES || joined.text.len() + program.len() >= most {
+            if joined.added() == MAX_FILES || joined.text.len() + program.len() >= most {
                 break;
             }
-            if !joined.text.ends_with(b"\n") {
-                joined.text.push(b'\n');
-            }
-            joined.added.push((joined.text.len(), joined.call(word).unwrap_or(word)));
-            joined.text.extend(program);
+            joined.append(&program, word);
         }
-        if joined.added.len() == before {
+        if joined.added() == before {
             break;
         }
     }
-    (!joined.added.is_empty()).then_some(joined)
-}
-
-/// Whether a text can contain a call: it has M98, M198, G65 or G66.
-fn may_call(text: &[u8]) -> bool {
-    text.windows(2).enumerate().any(|(at, code)| {
-        let before = &text[at.saturating_sub(4)..at];
-        let letter = before.iter().rev().find(|byte| !matches!(byte, b'0' | b'1' | b' '));
-        matches!(code, b"98" | b"65" | b"66") && matches!(letter, Some(b'M' | b'm' | b'G' | b'g'))
-    })
+    (joined.added() > 0).then_some(joined)
 }
 
 /// The program files of folders, in the order of the folders.
@@ -222,15 +186,7 @@ mod tests {
         let joined = join(calls.as_bytes(), std::slice::from_ref(&folder), 1 << 20).expect("subprograms");
         let took = started.elapsed();
         std::fs::remove_dir_all(&folder).expect("it goes");
-        assert_eq!(joined.text[joined.own..].split(|byte| *byte == b'O').count() - 1, MAX_FILES);
+        assert_eq!(joined.added(), MAX_FILES);
         assert!(took.as_secs() < 2, "{took:?}");
-    }
-
-    #[test]
-    fn what_calls_nothing_is_not_read() {
-        for text in ["M98 P1", "m098P1", "G65 P1", "G 66 P1", "M198 P1"] {
-            assert!(may_call(text.as_bytes()), "{text}");
-        }
-        assert!(!may_call(b"O1\nG01 X98. Z-65.66\nX1665\nM30\n"));
     }
 }

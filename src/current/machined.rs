@@ -4,6 +4,7 @@
 //! with a part that was kept, and the workpiece at the displayed moment.
 
 use super::per_plane::PerPlane;
+use crate::geometry::Point;
 use crate::machine::SimulationResult;
 use crate::machine::compare::{Comparison, parts};
 use crate::machine::feature::{Thread, threads};
@@ -19,10 +20,12 @@ use crate::scene::work::{Moment, Work};
 use crate::scene::{Place, Plane};
 use crate::setup::Setup;
 
-/// A program whose part was kept for comparison.
-pub(super) struct Kept {
-    motions: Motions,
-    setup: Setup,
+/// The part that others are compared with.
+pub(super) enum Kept {
+    /// That of a program.
+    Program { motions: Motions, setup: Box<Setup> },
+    /// A wanted part; nothing is compared to the left of its end, whose Z is `left`, mm.
+    Wanted { part: Region, left: f64 },
 }
 
 /// A run with all its material removed.
@@ -124,15 +127,20 @@ impl Machined {
 late! {
     fn compare(machined: &mut Machined, run: &Run, kept: Option<&Kept>) {
         machined.comparison = kept.and_then(|kept| {
-            let setup = run.setup_at_machine();
-            let [first, second] = parts([(&kept.motions, &kept.setup), (run.motions(), &setup)]);
+            let now = run.setup_at_machine();
+            let [first, second] = match kept {
+                Kept::Program { motions, setup } => parts([(motions, setup), (run.motions(), &now)]),
+                Kept::Wanted { part, left } => {
+                    [Some(part.clone()), machined.part.as_ref().map(|own| right_of(own, *left))]
+                }
+            };
             Some(Comparison::of(&first?, &second?))
         });
         machined.shown = None;
     }
 
     fn kept(run: &Run) -> Kept {
-        Kept { motions: run.motions().clone(), setup: run.setup_at_machine() }
+        Kept::Program { motions: run.motions().clone(), setup: Box::new(run.setup_at_machine()) }
     }
 
     fn show(machined: &mut Machined, motions: &Motions, moment: Option<Moment>, place: Option<Place>) {
@@ -149,4 +157,11 @@ late! {
         works[Plane::Side] = machined.side.as_ref().and_then(|side| side.work(&machined.simulation, place));
         machined.shown = Some(Shown { moment, works });
     }
+}
+
+/// The piece of a part to the right of a place, mm.
+fn right_of(part: &Region, z: f64) -> Region {
+    const FAR: f64 = 1e5;
+    let corners = [(0.0, z), (FAR, z), (FAR, FAR), (0.0, FAR)];
+    part.intersection(&[corners.map(|(x, z)| Point::new(x, z))])
 }

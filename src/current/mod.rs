@@ -10,6 +10,7 @@ pub(crate) mod machined;
 pub mod measuring;
 pub mod per_plane;
 mod picked;
+pub mod question;
 
 use std::cell::OnceCell;
 use std::ops::Range;
@@ -576,6 +577,12 @@ impl Current {
         if self.part().is_some() {
             keep(self);
         }
+    }
+
+    /// Compares the parts of this run and of later ones with a wanted part. `left`: Z of its left end, mm.
+    pub fn compare_with(&mut self, part: Region, left: f64) {
+        self.view_state.kept = Some(Kept::Wanted { part, left });
+        self.compare();
     }
 
     /// Ends the comparison.

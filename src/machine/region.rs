@@ -154,11 +154,24 @@ impl Region {
     /// The intervals of a line across the spindle axis at `z` that lie in the region: pairs of radii, mm,
     /// from the axis outwards. Exactly on a step, the material towards −Z counts.
     pub fn radii(&self, z: f64) -> Vec<(f64, f64)> {
-        let crossing = self.edges().filter(|(a, b)| (a.z < z) != (b.z < z));
-        let mut radii: Vec<f64> =
-            crossing.map(|(a, b)| a.x + (z - a.z) / (b.z - a.z) * (b.x - a.x)).collect();
-        radii.sort_unstable_by(f64::total_cmp);
-        radii.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect()
+        self.crossed(z, |at| (at.z, at.x))
+    }
+
+    /// The intervals of a line along the spindle axis at radius `x` that lie in the region: pairs of Z, mm, in
+    /// ascending order.
+    pub fn lengths(&self, x: f64) -> Vec<(f64, f64)> {
+        self.crossed(x, |at| (at.x, at.z))
+    }
+
+    /// The intervals of a line that lie in the region. `split` returns the line that a point is on, and its place
+    /// on that line.
+    fn crossed(&self, line: f64, split: impl Fn(Point) -> (f64, f64)) -> Vec<(f64, f64)> {
+        let edges = self.edges().map(|(a, b)| (split(a), split(b)));
+        let crossing = edges.filter(|(a, b)| (a.0 < line) != (b.0 < line));
+        let mut places: Vec<f64> =
+            crossing.map(|(a, b)| a.1 + (line - a.0) / (b.0 - a.0) * (b.1 - a.1)).collect();
+        places.sort_unstable_by(f64::total_cmp);
+        places.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect()
     }
 
     /// Whether a point lies in the region.
@@ -306,6 +319,8 @@ mod tests {
         assert_eq!(region.radii(-5.0), [(5.0, 15.0)]);
         assert_eq!(region.radii(-12.0), [(5.0, 20.0)]);
         assert_eq!(region.radii(-60.0), []);
+        assert_eq!(region.lengths(17.0), [(-50.0, -30.0), (-15.0, -10.0)]);
+        assert_eq!(region.lengths(10.0), [(-50.0, 0.0)]);
         assert!(region.contains(Point::new(17.0, -40.0)) && !region.contains(Point::new(17.0, -20.0)));
     }
 

@@ -144,6 +144,19 @@ pub struct Edit {
     pub text: String,
 }
 
+/// Applies edits, which are sorted by position and do not overlap.
+pub fn applied(text: &[u8], edits: &[Edit]) -> Vec<u8> {
+    let mut changed = Vec::with_capacity(text.len());
+    let mut from = 0;
+    for edit in edits {
+        changed.extend_from_slice(&text[from..edit.span.start as usize]);
+        changed.extend_from_slice(edit.text.as_bytes());
+        from = edit.span.end as usize;
+    }
+    changed.extend_from_slice(&text[from..]);
+    changed
+}
+
 impl Fix {
     /// A safe fix that replaces `span` by `text`.
     pub fn replace(title: Repair, span: Span, text: &str) -> Self {

@@ -127,6 +127,25 @@ impl<'de> Deserialize<'de> for Levels {
     }
 }
 
+#[cfg(feature = "cli")]
+impl schemars::JsonSchema for Levels {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Levels".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "type": "object",
+            "propertyNames": {"enum": names().collect::<Vec<_>>()},
+            "additionalProperties": {"enum": Severity::ALL.map(Severity::name)},
+        })
+    }
+}
+
 /// Deserializes `{"slug": "level"}`.
 struct Rules;
 
@@ -184,6 +203,14 @@ mod tests {
         let under = levels(&[("classroom", Off)]).with(&rule_first);
         assert_eq!((under.of("coolant-off"), under.of("tool-not-named")), (Some(Error), Some(Info)));
         assert_eq!(rule_first.without_groups(), levels(&[("coolant-off", Error)]));
+    }
+
+    #[test]
+    fn every_name_is_known_in_any_case() {
+        for name in names() {
+            assert_eq!((known(name), known(&name.to_uppercase())), (Some(name), Some(name)));
+        }
+        assert_eq!((known(""), known("no-program-ends")), (None, None));
     }
 
     #[test]

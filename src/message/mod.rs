@@ -8,7 +8,7 @@ pub mod levels;
 mod rule;
 mod variants;
 
-pub use diagnostic::{Diagnostic, Edit, Fix, Repair, sort_by_place};
+pub use diagnostic::{Diagnostic, Edit, Fix, Repair, applied, sort_by_place};
 pub use levels::Levels;
 pub use rule::{Group, Kind, Rule, Severity};
 pub use variants::{Arguments, Message, RULES, Said, Value, said};

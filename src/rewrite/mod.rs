@@ -12,7 +12,7 @@ use crate::order;
 use std::collections::BTreeMap;
 
 use crate::cycles::single::Single;
-use crate::message::{Diagnostic, Edit, Severity, said};
+use crate::message::{Diagnostic, Edit, Severity, applied, said};
 use crate::motion::{Motion, MotionKind, Motions};
 use crate::run::{Analysis, Run};
 use crate::sentences::{Language, describe_rewrite};
@@ -141,19 +141,6 @@ fn apart(offers: impl IntoIterator<Item = Offer>) -> Vec<Offer> {
 
 fn edits_of(offers: &[Offer]) -> Vec<Edit> {
     offers.iter().flat_map(|offer| offer.edits.iter().cloned()).collect()
-}
-
-/// Applies edits, which are sorted by position and do not overlap.
-pub fn applied(text: &[u8], edits: &[Edit]) -> Vec<u8> {
-    let mut changed = Vec::with_capacity(text.len());
-    let mut from = 0;
-    for edit in edits {
-        changed.extend_from_slice(&text[from..edit.span.start as usize]);
-        changed.extend_from_slice(edit.text.as_bytes());
-        from = edit.span.end as usize;
-    }
-    changed.extend_from_slice(&text[from..]);
-    changed
 }
 
 /// Maps a byte of the edited text to the original text; a byte in inserted text maps to the start of the

@@ -128,7 +128,12 @@ impl Run {
         self.numbers = None;
         self.faulty = FaultyBlocks::default();
         let mut text = std::mem::take(&mut self.text);
+        let mut ignored = self.ignored.take();
+        let inserted = edit.insert.len();
         text.splice(start..end, edit.insert);
+        if let Some(ignored) = &mut ignored {
+            ignored.edit(&text, &(start..end), inserted);
+        }
         let checkpoint = self.checkpoints.last().filter(|_| {
             text.len() <= self.setup().limits.text
                 && start >= LEADER
@@ -153,6 +158,7 @@ impl Run {
                 !self.finished && self.recognised == recognised && *self.setup() == setup
             }
         };
+        self.ignored = ignored;
         let filled = self.text.trim_ascii_end().len();
         self.previous = before.filter(|_| same_way).map(|before| PreviousRun { filled, ..before });
         self.find_next_join(self.at);

@@ -7,6 +7,7 @@ mod combined;
 pub(crate) mod edit;
 pub(crate) mod repeated;
 pub mod replay;
+pub mod subprograms;
 mod tried;
 
 use std::collections::BTreeMap;
@@ -28,6 +29,7 @@ use crate::motion::Motions;
 use crate::parts::{Part, late};
 use crate::provenance::{self, DecimalEvidence, Foreign, NumberWithoutPoint, QuickCheck, Target};
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, Dialect, DialectChoice, GSystem};
+use crate::setup::ignored::{IgnoreComments, Ran};
 use crate::setup::notes::Notes;
 use crate::setup::{Lints, Setup, tool_words};
 use crate::source::Span;
@@ -60,6 +62,8 @@ pub struct Analysis {
     pub concludes_inches: bool,
     /// The unit of length at the end of the program.
     pub unit: Unit,
+    /// The comments of the text that hide messages.
+    ignored: IgnoreComments,
     /// Tools and blank; computed on first use.
     resolved: OnceLock<ResolvedSetup>,
 }
@@ -77,21 +81,34 @@ impl Analysis {
     }
 
     /// Adds the messages about the machine: collisions, where a blank or a machine is given to check against,
-    /// and unknown tools.
+    /// and unknown tools; and those about comments that hide no message.
     pub fn check_at_machine(&mut self) {
-        if detector::can_be_found(&self.setup) {
-            let simulation = self.simulate();
-            let found =
-                findings::diagnostics(&simulation, &self.motions, &self.setup.rules, &self.diagnostics);
-            self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
-        } else {
-            let most = self.setup.limits.part_motions;
-            let found = findings::without_simulation(self.resolved_setup(), &self.motions, most);
-            let rules = &self.setup.rules;
-            let found = found.into_iter().filter_map(|found| rules.apply_to(found));
-            self.diagnostics.extend(found.map(|found| found.in_unit(self.unit)));
-        }
+        let told = &self.diagnostics;
+        let mut found = machine_messages(self.resolved_setup(), &self.setup, &self.motions, told);
+        self.ignored.hide_at_machine(&mut found);
+        self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
         sort_by_place(&mut self.diagnostics);
+    }
+
+    /// Removes the messages that comments hide, after some messages have been moved to other lines.
+    pub fn hide_moved(&mut self) {
+        self.ignored.hide_moved(&mut self.diagnostics);
+    }
+}
+
+/// The messages about the machine, in millimetres. `told`: the other messages.
+fn machine_messages(
+    resolved: &ResolvedSetup,
+    setup: &Setup,
+    motions: &Motions,
+    told: &[Diagnostic],
+) -> Vec<Diagnostic> {
+    if detector::can_be_found(setup) {
+        let simulation = SimulationResult::of_resolved(resolved.clone(), motions, setup);
+        findings::diagnostics(&simulation, motions, &setup.rules, told)
+    } else {
+        let found = findings::without_simulation(resolved, motions, setup.limits.part_motions);
+        found.into_iter().filter_map(|found| setup.rules.apply_to(found)).collect()
     }
 }
 
@@ -169,6 +186,8 @@ pub struct Run {
     stopped: bool,
     /// All messages sorted by place, once the run has ended.
     sorted: Vec<Diagnostic>,
+    /// The comments of the text that hide messages, once a run of it has ended.
+    ignored: Option<IgnoreComments>,
     /// Snapshots of the run, in order.
     checkpoints: Vec<Checkpoint>,
     /// Number of blocks read by which the next snapshot must be taken.
@@ -266,6 +285,7 @@ impl Run {
             finished: false,
             stopped: false,
             sorted: Vec::new(),
+            ignored: None,
             checkpoints: Vec::new(),
             due: 0,
             previous: None,
@@ -560,6 +580,23 @@ impl Run {
         if self.finished { &self.sorted } else { self.interpreter.diagnostics() }
     }
 
+    /// Removes those of the messages about the machining that comments of the text hide, and adds those about
+    /// comments that hide none.
+    pub fn hide_at_machine(&self, messages: &mut Vec<Diagnostic>) {
+        if let Some(ignored) = &self.ignored {
+            ignored.hide_at_machine(messages);
+        }
+    }
+
+    /// The messages of the finished run about the machine, as [`Analysis::check_at_machine`] adds them.
+    pub fn machine_messages(&self) -> Vec<Diagnostic> {
+        let (setup, motions) = (self.setup_at_machine(), self.motions());
+        let resolved = ResolvedSetup::new(motions, &setup);
+        let mut found = machine_messages(&resolved, &setup, motions, self.diagnostics());
+        self.hide_at_machine(&mut found);
+        found.into_iter().map(|found| found.in_unit(self.state().unit)).collect()
+    }
+
     /// The landmarks of the contour cycles so far.
     pub fn landmarks(&self) -> &[Landmarks] {
         self.interpreter.landmarks()
@@ -605,6 +642,7 @@ impl Run {
         let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
         let (resolved, decides_decimal) = (OnceLock::new(), self.decided.is_some());
+        let ignored = self.ignored.unwrap_or_default();
         let (blocks, concludes_inches) = (self.blocks, self.recognised.inches.is_some());
         Analysis {
             motions,
@@ -616,6 +654,7 @@ impl Run {
             decides_decimal,
             concludes_inches,
             unit,
+            ignored,
             resolved,
         }
     }
@@ -775,8 +814,25 @@ impl Run {
         if self.begun {
             self.report_decimal_rule();
         }
+        self.hide_ignored();
         sort_by_place(&mut self.sorted);
         combined::combine_repeated(&mut self.sorted, &self.text);
+    }
+
+    /// Removes the messages that comments of the text hide.
+    fn hide_ignored(&mut self) {
+        let mut ignored = self.ignored.take().unwrap_or_else(|| IgnoreComments::read(&self.text));
+        let setup = self.interpreter.setup();
+        let has_lints = self.has_lints && setup.lints == Lints::On;
+        let is_whole = self.recognised.foreign.is_none() && !self.stopped && self.interpreter.hidden() == 0;
+        let ran = Ran {
+            text: &self.text,
+            levels: &setup.rules,
+            most: setup.limits.messages,
+            is_complete: has_lints && is_whole,
+        };
+        ignored.hide_of_run(&mut self.sorted, ran);
+        self.ignored = Some(ignored);
     }
 
     fn compare_numbers(&mut self) {

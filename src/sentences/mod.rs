@@ -5,9 +5,12 @@ pub mod calculate;
 pub mod codes;
 mod descriptions;
 pub mod difference;
+pub mod exercise;
+pub mod exercise_file;
 pub mod labels;
 mod language;
 mod phrases;
+pub mod server;
 mod template;
 #[cfg(test)]
 mod tests;

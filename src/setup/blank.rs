@@ -19,15 +19,37 @@ pub struct Blank {
     outline: Outline,
 }
 
-/// A blank as written in JSON.
+/// The blank: a bar or a tube, which needs `diameter` and `length`; or a forging or casting, whose `outline`
+/// replaces all sizes except `grip`.
 #[derive(Deserialize)]
+#[cfg_attr(
+    feature = "cli",
+    derive(schemars::JsonSchema),
+    schemars(
+        rename = "Stock",
+        extend(
+            "if" = {"required": ["outline"], "properties": {"outline": {"type": "array"}}},
+            "then" = {"properties": {"diameter": {"type": "null"}, "bore": {"type": "null"}, "face": {"type": "null"}, "length": {"type": "null"}}},
+            "else" = {"required": ["diameter", "length"],
+                "properties": {"diameter": {"type": "number"}, "length": {"type": "number"}}}
+        )
+    )
+)]
 #[serde(deny_unknown_fields)]
-struct WrittenBlank {
+pub(super) struct WrittenBlank {
+    /// Outside diameter, mm.
     diameter: Option<Diameter>,
+    /// Diameter of the bore, mm; 0 for a bar.
     bore: Option<Diameter>,
+    /// Z of the front face, mm.
     face: Option<f64>,
+    /// Length from the front face towards −Z, mm.
     length: Option<f64>,
+    /// Clamping length from the back end, mm.
     grip: Option<f64>,
+    /// Points of the half section, joined by straight lines: X, a diameter, and Z, mm. The outline is closed along
+    /// the spindle axis, unless its last point repeats the first.
+    #[cfg_attr(feature = "cli", schemars(with = "Option<Vec<[f64; 2]>>", length(min = 1)))]
     outline: Option<Vec<Vec<f64>>>,
 }
 

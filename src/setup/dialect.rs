@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 /// A family of controls.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
 pub enum Control {
     /// FANUC 0i-T and related controls, G-code system A.
@@ -15,7 +16,8 @@ pub enum Control {
     Fanuc,
     /// GSK 980TD.
     Gsk,
-    /// The teaching dialect of seed 003: FANUC with P and Q in millimetres.
+    // Seed 003.
+    /// A teaching dialect: FANUC with P and Q in millimetres.
     Forum,
 }
 
@@ -31,10 +33,19 @@ impl Control {
             Self::Forum => "forum",
         }
     }
+
+    /// The largest sequence number: five digits, on GSK 980TD four.
+    pub fn largest_sequence(self) -> u32 {
+        match self {
+            Self::Gsk => 9_999,
+            Self::Fanuc | Self::Forum => 99_999,
+        }
+    }
 }
 
 /// Unit of the feed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 pub enum FeedMode {
     /// Millimetres (inches) per minute.
     #[serde(rename = "G98")]
@@ -59,6 +70,7 @@ impl FeedMode {
 
 /// G-code system.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 pub enum GSystem {
     /// The single cycles are G90 G92 G94.
     #[default]
@@ -125,9 +137,10 @@ impl CodeList {
 
 /// How a setup interprets numbers without a decimal point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "camelCase")]
 pub enum DecimalChoice {
-    /// Decided by the program: [`crate::provenance::numbers`].
+    /// Decided by the program.
     #[default]
     Auto,
     /// As whole units.
@@ -180,6 +193,7 @@ impl From<DecimalRule> for DecimalChoice {
 
 /// Unit of P and Q in G74, G75 and G76.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "camelCase")]
 pub enum PqUnit {
     /// Micrometres, unless the numbers only make sense as millimetres.
@@ -206,6 +220,7 @@ impl PqUnit {
 
 /// Which of X and U is used if one block contains both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "camelCase")]
 pub enum XuConflict {
     /// The last one in the block (FANUC).
@@ -216,6 +231,7 @@ pub enum XuConflict {
 
 /// Effect of a negative R on an arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "camelCase")]
 pub enum NegativeArcR {
     /// The arc of more than 180°.
@@ -239,6 +255,7 @@ impl NegativeArcR {
 
 /// Motion of the 45° retract of G71.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "camelCase")]
 pub enum G71Retract {
     /// Rapid (FANUC).
@@ -249,6 +266,7 @@ pub enum G71Retract {
 
 /// Number of steps into which G73 divides its total relief.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 pub enum G73Intervals {
     /// One less than the number of passes.
     #[serde(rename = "d-1")]
@@ -260,6 +278,7 @@ pub enum G73Intervals {
 
 /// How G76 applies its minimum depth of cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "camelCase")]
 pub enum G76Clamp {
     /// To the difference from the previous depth.
@@ -270,6 +289,7 @@ pub enum G76Clamp {
 
 /// Meaning of the letter I in G92.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "camelCase")]
 pub enum IInG92 {
     /// The taper, an older spelling of R (FANUC).
@@ -280,6 +300,7 @@ pub enum IInG92 {
 
 /// Whether X in polar interpolation is a diameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "camelCase")]
 pub enum PolarX {
     /// A diameter (0i-T).
@@ -293,6 +314,7 @@ pub const USUAL_REF_POINT: super::Position = super::Position { x: Diameter::new(
 
 /// The switches of a setup; a missing one has the default of the control.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(rename = "Dialect"))]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct DialectChoice {
     /// Preset of all other switches; FANUC by default.

@@ -6,6 +6,7 @@ use crate::units::Diameter;
 
 /// The machine. A missing value is unknown and has no default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Machine {
     /// Rapid rate of the slide along X, mm/min.
@@ -14,8 +15,8 @@ pub struct Machine {
     pub rapid_z: Option<f64>,
     /// Highest spindle speed, rpm.
     pub max_speed: Option<f64>,
-    /// K of the rule of thumb for threads, n ≤ 1200/P − K, rpm (seed 001). A slide that
-    /// accelerates slowly needs more.
+    // Seed 001.
+    /// K of the rule of thumb for threads, n ≤ 1200/P − K, rpm. A slide that accelerates slowly needs more.
     pub thread_speed_margin: Option<f64>,
     /// Travel of the tip.
     pub travel: Travel,
@@ -35,6 +36,7 @@ impl Machine {
 
 /// Travel of the tip in program coordinates: X a diameter, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Travel {
     /// Minimum X, a diameter.
@@ -49,6 +51,7 @@ pub struct Travel {
 
 /// Side of the spindle that the turret is on; the picture has X+ on that side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
 pub enum Turret {
     /// At the rear: X+ is drawn upwards.
@@ -60,6 +63,7 @@ pub enum Turret {
 
 /// The centre of the tailstock: a cone of 60° in front of a quill.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Tailstock {
     /// Z of its point, mm.

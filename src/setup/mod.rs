@@ -9,6 +9,7 @@ pub mod dialect;
 pub mod draft;
 pub mod fields;
 mod first_unit;
+pub mod ignored;
 pub mod invalid;
 pub mod machine;
 mod nose_comment;
@@ -38,6 +39,7 @@ pub use tool::{Tool, ToolKind};
 
 /// A setup as written. Every key is optional; an unknown key is an error that names it.
 #[derive(Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Setup {
     /// The control and its switches.
@@ -45,6 +47,7 @@ pub struct Setup {
     /// Position of the tool tip before the first block.
     pub initial: Option<Position>,
     /// Tools by their T word in four digits (`T0101`).
+    #[cfg_attr(feature = "cli", schemars(extend("propertyNames" = {"pattern": "^[Tt][0-9]{1,4}$"})))]
     pub tools: BTreeMap<String, Tool>,
     /// Tools described by prose in comments, by turret station: a hint for inference. Never in a file; a run
     /// has them only in the setup for its machine (`Run::setup_at_machine`).
@@ -58,6 +61,7 @@ pub struct Setup {
     #[serde(skip)]
     pub described_stock: DescribedStock,
     /// The blank.
+    #[cfg_attr(feature = "cli", schemars(with = "Option<blank::WrittenBlank>"))]
     pub stock: Option<Blank>,
     /// The centre of the tailstock, if it supports the workpiece.
     pub tailstock: Option<Tailstock>,
@@ -66,6 +70,7 @@ pub struct Setup {
     /// Levels of block skip (`/` and `/1` to `/9`) that are switched on: such blocks are ignored.
     pub block_skip: Vec<u8>,
     /// Number of the O program to run; by default the first program of the text.
+    #[cfg_attr(feature = "cli", schemars(range(max = u32::MAX)))]
     pub program: Option<u32>,
     /// The limits of a run.
     pub limits: Limits,
@@ -96,6 +101,7 @@ pub struct TriedValue {
 
 /// Whether lints observe a run: they report what an instructor would, although the control accepts it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
 pub enum Lints {
     /// All lints observe the run.
@@ -200,6 +206,7 @@ pub fn tool_word((station, offset): (u16, u16)) -> String {
 
 /// A position in the notation of users.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Position {
     /// Diameter, mm.

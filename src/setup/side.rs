@@ -4,6 +4,7 @@ use serde::Deserialize;
 
 /// Side of the workpiece that a tool is for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
 pub enum Side {
     /// The outside.

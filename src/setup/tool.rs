@@ -12,6 +12,7 @@ pub const LARGEST_WEAR: f64 = 9.999;
 
 /// A tool as on a setup sheet. Missing values have the default of its kind.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Tool {
     /// Nose radius, mm; for a grooving insert the radius of its corners.
@@ -61,6 +62,7 @@ pub struct Tool {
 
 /// Kind of a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
 pub enum ToolKind {
     /// Turns outsides and faces.

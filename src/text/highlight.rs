@@ -4,6 +4,7 @@
 //! class numbers to colours.
 
 use super::block::{Block, BlockKind, Value};
+use super::lexer::{Lexer, TokenKind};
 use super::parser::{Parser, Resume};
 use crate::order;
 use crate::source::Span;
@@ -41,11 +42,7 @@ pub fn highlight(text: &[u8], start: usize, end: usize) -> Vec<(Span, TokenClass
     let mut parser = Parser::resume(part, Resume::inside(start as u32, 0));
     let mut block = Block::default();
     let mut found = Vec::new();
-    loop {
-        let line_start = parser.position().byte as usize;
-        if !parser.next_block(&mut block) {
-            break;
-        }
+    while parser.next_block(&mut block) {
         found.extend(block.comments.iter().map(|&span| (span, TokenClass::Comment)));
         match block.kind {
             BlockKind::Percent => found.push((block.span, TokenClass::Punctuation)),
@@ -56,10 +53,7 @@ pub fn highlight(text: &[u8], start: usize, end: usize) -> Vec<(Span, TokenClass
             found.push((span, TokenClass::Number));
         }
         if block.sequence.is_some() {
-            found.extend(
-                sequence_span(part, line_start, block.span.end as usize)
-                    .map(|span| (span, TokenClass::Number)),
-            );
+            found.extend(sequence_span(part, &block).map(|span| (span, TokenClass::Number)));
         }
         for word in &block.words {
             let class = match (word.address, word.value) {
@@ -97,11 +91,12 @@ fn without_comments(block: &Block) -> Span {
 }
 
 /// The span of `N10` at the head of a block.
-pub fn sequence_span(text: &[u8], start: usize, end: usize) -> Option<Span> {
-    let bytes = &text[start..end];
-    let first = bytes.iter().position(|byte| byte.eq_ignore_ascii_case(&b'N'))?;
-    let length = bytes[first + 1..].iter().take_while(|byte| byte.is_ascii_digit() || **byte == b' ').count();
-    let length =
-        bytes[first + 1..first + 1 + length].iter().rposition(u8::is_ascii_digit).map_or(0, |last| last + 1);
-    Some(Span::new(start + first, start + first + 1 + length))
+pub fn sequence_span(text: &[u8], block: &Block) -> Option<Span> {
+    block.sequence?;
+    let heads = block.program.iter().chain(&block.second_name);
+    let start = heads.map(|(_, span)| span.end).max().unwrap_or(block.span.start);
+    let mut tokens = Lexer::new(&text[..block.span.end as usize], start as usize);
+    let letter = tokens.find(|token| token.kind == TokenKind::Letter(b'N'))?.span;
+    let number = tokens.find(|token| token.kind != TokenKind::Blank)?;
+    matches!(number.kind, TokenKind::Number(_)).then(|| letter.to(number.span))
 }

@@ -8,20 +8,11 @@ use wasm_bindgen::prelude::*;
 use super::{Playground, to_js};
 use crate::api::assist::Reader;
 use crate::assist::Query;
+use crate::current::question::Question;
 use crate::parts::late;
-use crate::run::RunId;
-use crate::run::replay::{Found, Replay, VisitChoice};
+use crate::run::replay::VisitChoice;
 use crate::scene::annotation::Annotate;
 use crate::source::Span;
-
-/// The current question about a block.
-#[derive(Default)]
-pub(super) struct Question {
-    /// The place of the question.
-    byte: u32,
-    replay: Option<Replay>,
-    found: Option<(RunId, VisitChoice, Found)>,
-}
 
 #[wasm_bindgen]
 impl Playground {
@@ -129,13 +120,7 @@ late! {
 
     fn look(playground: &mut Playground, blocks: u32) -> bool {
         let Playground { current, question, .. } = playground;
-        let Some(mut replay) = question.replay.take() else { return true };
-        if current.advance_replay(&mut replay, blocks as usize) {
-            question.found = Some((current.run().id(), replay.choice(), replay.found()));
-            return true;
-        }
-        question.replay = Some(replay);
-        false
+        question.look(current, blocks as usize)
     }
 
     fn uses(playground: &Playground, offset: u32) -> Result<JsValue, JsValue> {
@@ -150,24 +135,23 @@ late! {
 
     fn word(playground: &Playground) -> Result<JsValue, JsValue> {
         let notes: Vec<Span> = playground.current.run().notes().spans().collect();
-        let (byte, motions) = (playground.question.byte, playground.current.motions());
+        let (byte, motions) = (playground.question.byte(), playground.current.motions());
         with_answer(playground, |reader, asked| to_js(&reader.word(asked, byte, &notes, motions)))
     }
 
     fn annotate(playground: &mut Playground, is_at_cursor: bool) {
         let Playground { current, question, .. } = playground;
-        let run = current.run().id();
-        let found = question.found.as_ref().filter(|(of, ..)| is_at_cursor && *of == run);
-        current.annotate(found.map(|(.., found)| (question.byte, found)));
+        let found = question.found(current).filter(|_| is_at_cursor);
+        current.annotate(found.map(|found| (question.byte(), found)));
     }
 
     fn completion(playground: &Playground, asked_for: bool) -> Result<JsValue, JsValue> {
-        let (byte, end) = (playground.question.byte, playground.current.run().state());
+        let (byte, end) = (playground.question.byte(), playground.current.run().state());
         with_answer(playground, |reader, asked| to_js(&reader.completion(asked, byte, end, asked_for)))
     }
 
     fn form(playground: &Playground) -> Result<JsValue, JsValue> {
-        let byte = playground.question.byte;
+        let byte = playground.question.byte();
         with_answer(playground, |reader, asked| to_js(&reader.form(asked, byte)))
     }
 
@@ -180,16 +164,7 @@ late! {
 /// Starts the search for the answer; returns true if it is already available.
 fn begin(playground: &mut Playground, byte: u32, time: VisitChoice) -> bool {
     let Playground { current, question, .. } = playground;
-    (question.byte, question.replay) = (byte, None);
-    let is_known = question.found.as_ref().is_some_and(|(run, of, found)| {
-        let place = found.place.start.byte..found.place.end.byte;
-        *run == current.run().id() && *of == time && place.contains(&byte)
-    });
-    if !is_known {
-        question.found = None;
-        question.replay = Some(current.replay(byte, time));
-    }
-    is_known
+    question.ask(current, byte, time)
 }
 
 /// Calls `make` with the answer; returns `undefined` if there is none yet.
@@ -198,8 +173,7 @@ pub(super) fn with_answer(
     make: impl FnOnce(&Reader, &Query) -> Result<JsValue, JsValue>,
 ) -> Result<JsValue, JsValue> {
     let run = playground.current.run();
-    let answer = playground.question.found.as_ref().filter(|(of, ..)| *of == run.id());
-    let Some((_, _, found)) = answer else { return Ok(JsValue::UNDEFINED) };
+    let Some(found) = playground.question.found(&playground.current) else { return Ok(JsValue::UNDEFINED) };
     let block = found.block(run);
     let asked = Query::new(run, found, &block);
     make(&reader(playground), &asked)

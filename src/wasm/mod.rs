@@ -8,6 +8,7 @@ mod assist;
 mod calculate;
 mod decimal;
 mod difference;
+mod exercise;
 mod files;
 mod motions;
 mod paste;
@@ -29,6 +30,7 @@ use wasm_bindgen::prelude::*;
 use crate::api::{self, Places, Summary};
 use crate::current::Current;
 use crate::current::per_plane::PerPlane;
+use crate::current::question::Question;
 use crate::findings;
 use crate::geometry::Point;
 use crate::limits;
@@ -56,7 +58,7 @@ pub struct Playground {
     /// The buffer for a text that is being passed in.
     incoming: Vec<u8>,
     /// The current question about a block.
-    question: assist::Question,
+    question: Question,
 }
 
 #[wasm_bindgen]
@@ -71,7 +73,7 @@ impl Playground {
             current: Current::new(Vec::new(), Setup::default()),
             painters: PerPlane::default(),
             incoming: Vec::new(),
-            question: assist::Question::default(),
+            question: Question::default(),
         }
     }
 
@@ -410,6 +412,7 @@ entry! { Late install_late {
     calculate::install();
     decimal::install();
     difference::install();
+    exercise::install();
     files::install();
     motions::install();
     paste::install();
@@ -450,10 +453,12 @@ impl Playground {
     fn findings(&self) -> impl Iterator<Item = Diagnostic> {
         let (run, motions) = (self.current.run(), self.current.motions());
         let (levels, told, unit) = (&run.setup().rules, run.diagnostics(), run.state().unit);
-        let simulation = self.current.simulation().into_iter();
-        let found =
-            simulation.flat_map(|simulation| findings::diagnostics(simulation, motions, levels, told));
-        found.map(move |found| found.in_unit(unit))
+        let mut found = Vec::new();
+        if let Some(simulation) = self.current.simulation() {
+            found = findings::diagnostics(simulation, motions, levels, told);
+            run.hide_at_machine(&mut found);
+        }
+        found.into_iter().map(move |found| found.in_unit(unit))
     }
 
     /// All messages sorted by place, in the displayed unit.

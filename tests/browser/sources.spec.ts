@@ -42,7 +42,8 @@ function snippets(): string[] {
 }
 
 test('every snippet of the reference draws its program', async ({ page }) => {
-  const found = snippets().filter((html) => html.includes('G00'));
+  // Without the sources of frameworks, which frameworks.spec.ts builds.
+  const found = snippets().filter((html) => html.includes('G00') && !/^<script( setup)?>/.test(html));
   expect(found.length).toBeGreaterThan(4);
   for (const html of found) {
     await openHtml(page, manual(html));

@@ -6,6 +6,8 @@ use std::path::Path;
 
 /// A correct program, one that mills the end face, and one that drills the side.
 pub const PROGRAM: &str = "O0001 (STOCK D=40 LENGTH=60)\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nX32\nG00 X100 Z100\nM30\n";
+/// An exercise that the program passes.
+const EXERCISE: &str = "---\nid: step\n---\n\n```setup\n(STOCK D=40 LENGTH=60)\n```\n\n```target\nX0 Z0\nX32\nZ-20\nX40\nZ-30 free\n```\n\n# en: A step\n\nTurn it.\n";
 const FACE: &str = "O0002 (STOCK D=80 LENGTH=60)\nT0101\nG98 G97 S800 M13\nM45\nG00 X100 Z2\nG12.1\nG01 X50 F100\nC20\nG13.1\nG00 X150 Z100\nM46\nM30\n";
 const SIDE: &str = "O0003 (STOCK D=60 LENGTH=60)\n(TOOL T0303 TYPE=DRILL D=8)\nM45\nG28 H0\nT0303\nG97 S900 M13\nG00 X66 Z-30 C0\nG98 G87 Z-30 C0 X30 R-1 F80\nC90\nG80\nG00 X150 Z100\nM46\nM30\n";
 
@@ -25,6 +27,8 @@ pub fn arguments(words: &[String], folder: &Path) -> Vec<String> {
     let one = |word: &String| match word.as_str() {
         "FILE" | "A" | "part.nc" => vec![write("part.nc", program)],
         "PAGE…" => vec![write("page.html", "<gcode-playground>\nM30\n</gcode-playground>\n")],
+        "EXERCISE" => vec![write("exercise.md", EXERCISE)],
+        "ANSWER…" => vec![write("part.nc", program), write("second.nc", program)],
         "MANUAL…" => vec![
             write("page.md", &format!("```gcode\n{program}```\n")),
             write("page.rst", ".. code-block:: gcode\n\n   M30\n"),
@@ -38,6 +42,7 @@ pub fn arguments(words: &[String], folder: &Path) -> Vec<String> {
         "PATTERN" => vec!["old/**".to_owned()],
         "ENDING" => vec!["nc".to_owned()],
         "RULE" => vec!["thread-angle".to_owned()],
+        "ADDRESS" => vec!["https://playground.example/rules".to_owned()],
         "RULE=LEVEL" => vec!["thread-angle=warning".to_owned()],
         "CONF.toml" => vec![write("conf.toml", "ignore = [\"no-program-end\"]\n")],
         "KNOWN.json" => vec![write("known.json", "[]")],

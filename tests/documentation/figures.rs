@@ -40,6 +40,17 @@ const fn figure(document: &'static str, words: &'static str, held: Held) -> Figu
 pub const FIGURES: &[Figure] = &[
     figure(
         "www/docs/command-line.md",
+        "exit status 0, or 1 if the editor did not announce it; 2 if the input is not in frames",
+        Held::By("tests/server/stream.rs", "the_exit_status_tells_how_the_session_ended"),
+    ),
+    figure(
+        "www/docs/editors.md",
+        "Neovim 0.11 or newer. Tried with Neovim 0.11.4",
+        Held::NotRun("the version of another program"),
+    ),
+    figure("www/docs/editors.md", "Emacs 29 or newer", Held::NotRun("the version of another program")),
+    figure(
+        "www/docs/command-line.md",
         "cuts 0.5 mm and rapids 0.25 mm wide",
         // At 96 CSS pixels per inch: 1.9 and 0.95 pixels.
         Held::Stated("src/scene/svg/mod.rs", "path.rapid { stroke-width: 0.95 }"),
@@ -105,8 +116,26 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "README.md",
         "all of it in 20 s",
-        Held::Stated("www/src/panels/playback.ts", "const WHOLE_PROGRAM_S: readonly number[] = [20, 60];"),
+        Held::Stated("www/src/panels/speed-choice.ts", "{ kind: 'whole', seconds: 20 };"),
     ),
+    figure(
+        "www/docs/element.md",
+        "is at least 240 pixels high",
+        Held::Stated("www/src/shell/content-height.ts", "const LEAST_DRAWING_PX = 240;"),
+    ),
+    figure(
+        "www/docs/element.md",
+        "is 9/16 of its width",
+        Held::Stated("www/src/shell/content-height.ts", "const DRAWING_SHARE = 9 / 16;"),
+    ),
+    figure(
+        "www/docs/element.md",
+        "and 240 to 540 pixels",
+        Held::Stated("www/src/shell/content-height.ts", "const LARGEST_DRAWING_PX = 540;"),
+    ),
+    figure("www/docs/element.md", "React 19", Held::Stated("www/package.json", "\"react\": \"19.")),
+    figure("www/docs/element.md", "Vue 3", Held::Stated("www/package.json", "\"vue\": \"3.")),
+    figure("www/docs/element.md", "Svelte 5", Held::Stated("www/package.json", "\"svelte\": \"5.")),
     figure(
         "CONTRIBUTING.md",
         "at most 120 characters",
@@ -126,7 +155,7 @@ pub const FIGURES: &[Figure] = &[
     figure("README.md", "(20 or newer)", Held::Stated("xtask/src/setup.rs", "const NODE_MIN: u32 = 20;")),
     figure(
         "www/docs/command-line.md",
-        "Exit status 0: no errors; 1: errors found, or with □ a difference; 2: bad usage",
+        "Exit status 0: no errors; 1: errors found, or with □ a difference, with □ an answer that is not passed, with □ or □ a change; 2: bad usage",
         Held::By("tests/cli.rs", "exit_status_tells_errors_from_bad_usage"),
     ),
     figure(

@@ -354,7 +354,8 @@ fn steeper_pass_follows(words: &Words, word: &Word, taper: f64) -> bool {
         return false;
     };
     let value = |block: usize, address: char| words.find(block, address).map(|found| found.value);
-    let is_other = |address: char| value(next, address).is_some_and(|end| value(word.block, address) != Some(end));
+    let is_other =
+        |address: char| value(next, address).is_some_and(|end| value(word.block, address) != Some(end));
     let steeper = value(next, 'R').is_some_and(|other| other * taper > taper * taper);
     steeper && !['G', 'X', 'Z', 'U', 'W'].into_iter().any(is_other)
 }

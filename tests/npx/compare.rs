@@ -27,7 +27,7 @@ const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const TABLE: &str = "tests/npx/options.md";
 
 /// Native only: a module has no threads to wait in, and shells complete installed programs only.
-const NATIVE: [&str; 3] = ["--watch", "completions", "man-page"];
+const NATIVE: [&str; 4] = ["--watch", "server", "completions", "man-page"];
 
 const HEAD: &str = "# The command line natively and under Node\n\nEvery call of the reference was made twice, by the program that cargo builds and by the one of the npm package, and they wrote the same: standard\noutput, standard error, exit status and files, to the byte. `tests/npx/compare.rs` makes this table.\n\n| command | the same under Node | native only |\n|---|---|---|\n";
 
@@ -125,7 +125,8 @@ impl Both {
     /// All programs, in all formats and languages; and each command on some of them.
     fn the_programs(&mut self) -> Result<(), Box<dyn Error>> {
         let programs = format!("{ROOT}/tests/programs");
-        for format in ["text", "json", "sarif", "github", "junit", "markdown"] {
+        for format in ["text", "concise", "json", "sarif", "github", "gitlab", "rdjson", "junit", "markdown"]
+        {
             for lang in ["en", "zh", "ru"] {
                 let line = format!(
                     "check {programs} {ROOT}/tests/fixtures --extension nc,txt --format {format} --lang {lang}"

@@ -1,11 +1,12 @@
 """Tests the job of `templates/check.yml`, included from a server and run by `gitlab-ci-local` in the example repository.
 
 In: the template, `.gitlab-ci.yml` of the example, the npm package. Out: whether the job fails when it should, prints the findings,
-and writes them as a JUnit report. Needs `rsync`, which `gitlab-ci-local` uses for copies.
+and writes them as a JUnit report and a Code Quality report. Needs `rsync`, which `gitlab-ci-local` uses for copies.
 """
 
 import functools
 import http.server
+import json
 import re
 import sys
 import threading
@@ -30,6 +31,13 @@ def job(tools: Tools, folder: Path, status: int) -> tuple[str, xml.etree.Element
     return done.stdout + done.stderr, xml.etree.ElementTree.parse(report).getroot()
 
 
+def quality(folder: Path) -> list[tuple[str, int]]:
+    """Path and line of each finding in the Code Quality report, whose fingerprints are all different."""
+    issues = json.loads((folder / "gcode-playground.json").read_text(encoding="utf-8"))
+    assert len({issue["fingerprint"] for issue in issues}) == len(issues), issues
+    return [(issue["location"]["path"], issue["location"]["lines"]["begin"]) for issue in issues]
+
+
 def main(tools: Tools) -> None:
     folder = repository("gitlab")
     file = folder / ".gitlab-ci.yml"
@@ -46,6 +54,7 @@ def main(tools: Tools) -> None:
         log, report = job(tools, folder, 0)
         has(log, "nothing found in 2 files")
         assert [suite.get("failures") for suite in report] == ["0", "0"]
+        assert quality(folder) == []
         # One warning is too many here.
         (folder / "programs/doubtful.nc").write_text(DOUBTFUL, encoding="utf-8")
         log, report = job(tools, folder, 1)
@@ -59,6 +68,7 @@ def main(tools: Tools) -> None:
         assert any("а" <= letter <= "я" for letter in log), log
         (case,) = report.findall("testsuite[@name='programs/bushing.nc']/testcase")
         has(case.get("name"), "number-missing 7:1")
+        assert quality(folder) == [("programs/bushing.nc", 7)], quality(folder)
         # The pages of a manual.
         (folder / "manual/faulty.md").write_text(f"# Page\n\n```gcode\n{FAULTY}```\n", encoding="utf-8")
         file.write_text(f"{text}      options: --markdown\n      paths: manual\n", encoding="utf-8")

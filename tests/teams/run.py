@@ -5,7 +5,7 @@
     COMMAND       the built command line
     PACKAGE       the built npm package (`www/dist/embed`); it may be missing
     NODE_MODULES  where the npm packages of the tests are
-    WAY           sarif, hooks, action, gitlab
+    WAY           sarif, schemas, hooks, action, gitlab
 
 Needs the Python packages that `xtask/src/teams.rs` names. The programs are those of `tests/example-repository`.
 """

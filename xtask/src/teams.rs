@@ -16,7 +16,7 @@ const PYTHON: [&str; 2] = ["check-jsonschema==0.39.0", "pre-commit==4.7.0"];
 const NODE: [&str; 2] = ["@microsoft/jest-sarif@1.0.0-beta.0", "gitlab-ci-local@4.68.1"];
 
 /// The ways that are tested.
-const WAYS: [&str; 4] = ["sarif", "hooks", "action", "gitlab"];
+const WAYS: [&str; 5] = ["sarif", "schemas", "hooks", "action", "gitlab"];
 
 /// `cargo xtask teams`.
 pub fn main() -> Result {

@@ -125,8 +125,8 @@ fn folder_of(list: &Path) -> PathBuf {
     folder
 }
 
-/// The entry of a finding; `None` if it is not a fault.
-fn entry(folder: &Path, subject: &Subject, lines: &LineIndex, one: &Finding) -> Option<Entry> {
+/// The entry of a finding; `None` if it is not a fault. The file name is relative to a folder if it is inside.
+pub(super) fn entry(folder: &Path, subject: &Subject, lines: &LineIndex, one: &Finding) -> Option<Entry> {
     let text = &subject.text;
     let line = match &one.what {
         What::Message(message) => lines.line_of(message.span.start.min(text.len() as u32)),

@@ -20,7 +20,7 @@ use crate::text::parser::Parser;
 
 /// Endings of program files. Files such as `O0001`, written by FANUC controls without an ending, count as
 /// well.
-pub(super) const PROGRAMS: &[&str] = subprograms::ENDINGS;
+pub(in crate::cli) const PROGRAMS: &[&str] = subprograms::ENDINGS;
 
 /// Endings that are also used for other files (`""`: no ending): the text decides whether it is a program.
 const SHARED: &[&str] = &["txt", "g", "h", ""];
@@ -30,11 +30,11 @@ const MAX_SCANNED_BLOCKS: usize = 100;
 const HEAD: u64 = 64 << 10;
 
 /// Endings of pages of a manual.
-pub(super) const PAGES: &[&str] = &["md", "markdown", "mdx", "html", "htm", "rst"];
+pub(in crate::cli) const PAGES: &[&str] = &["md", "markdown", "mdx", "html", "htm", "rst"];
 
 /// Options that select files in folders.
 #[derive(clap::Args)]
-pub(super) struct Which {
+pub(in crate::cli) struct Which {
     /// Leave out what this pattern matches, as a line of a `.gitignore` (`--exclude 'old/**'`); may be given more than once.
     #[arg(long, value_name = "PATTERN")]
     exclude: Vec<String>,
@@ -48,7 +48,7 @@ pub(super) struct Which {
 
 /// Result of the search.
 #[derive(Debug, Default)]
-pub(super) struct Found {
+pub(in crate::cli) struct Found {
     /// The files to check, in order.
     pub files: Vec<PathBuf>,
     /// Errors about paths, as sentences.
@@ -58,7 +58,7 @@ pub(super) struct Found {
 }
 
 /// Finds the files; `usual` are the default endings. Returns an error for an invalid pattern.
-pub(super) fn find(
+pub(in crate::cli) fn find(
     given: &[PathBuf],
     which: &Which,
     usual: &[&str],

@@ -25,7 +25,8 @@ pub(super) struct Choice {
 }
 
 /// The selected rules, and the severities that are set.
-pub(super) struct Selection {
+#[derive(Default)]
+pub(in crate::cli) struct Selection {
     select: Vec<&'static str>,
     levels: Vec<(&'static str, Severity)>,
 }
@@ -52,7 +53,7 @@ impl Selection {
     }
 
     /// The setup of a program with the requested severities.
-    pub(super) fn setup(&self, settings: &Settings) -> Setup {
+    pub(in crate::cli) fn setup(&self, settings: &Settings) -> Setup {
         self.levelled(settings, settings.setup.clone())
     }
 

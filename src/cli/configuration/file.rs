@@ -7,6 +7,7 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::super::rules::{level, named};
+use super::keys::{Key, OF_OVERRIDES, USUAL, VALUES};
 use crate::message::Severity;
 use crate::message::levels::{known, nearest_of};
 use crate::sentences::Language;
@@ -38,6 +39,8 @@ pub(in crate::cli) struct Keys {
     pub baseline: Option<Located<String>>,
     /// Maximum number of warnings.
     pub max_warnings: Option<Located<usize>>,
+    /// The address of the rule pages.
+    pub rules_url: Option<Located<String>>,
     /// Values for some programs, in the order of the file.
     pub overrides: Vec<Override>,
 }
@@ -65,14 +68,6 @@ pub(in crate::cli) struct Override {
     /// Values for these programs.
     pub values: Values,
 }
-
-/// Keys of [`Values`].
-const VALUES: [&str; 5] = ["control", "setup", "select", "ignore", "rules"];
-/// Further keys at the top level of a file.
-const USUAL: [&str; 7] =
-    ["language", "extension", "exclude", "library", "baseline", "max-warnings", "override"];
-/// Further keys of an override.
-const OF_OVERRIDES: [&str; 1] = ["files"];
 
 /// An error: byte offset in the file, and message.
 type Fault = (usize, String);
@@ -109,6 +104,7 @@ fn keys(table: &DeTable<'_>, lines: &Lines<'_>) -> Result<Keys, Fault> {
             "library" => keys.library = texts(value, lines)?,
             "baseline" => keys.baseline = Some(lines.said(value, text(value)?.to_owned())),
             "max-warnings" => keys.max_warnings = Some(lines.said(value, count(value)?)),
+            "rules-url" => keys.rules_url = Some(lines.said(value, address(value)?)),
             "override" => keys.overrides = overrides(value, lines)?,
             _ => keys.usual.read(key, value, lines, &USUAL)?,
         }
@@ -144,7 +140,7 @@ impl Values {
         key: &Spanned<DeString<'_>>,
         value: &Spanned<DeValue<'_>>,
         lines: &Lines<'_>,
-        others: &[&str],
+        others: &[Key],
     ) -> Result<(), Fault> {
         match key.get_ref().as_ref() {
             "control" => self.control = Some(lines.said(value, control(value)?)),
@@ -153,7 +149,7 @@ impl Values {
             "ignore" => self.ignore = rules(value, lines)?,
             "rules" => self.rules = levels(value, lines)?,
             unknown => {
-                let keys = VALUES.iter().chain(others).copied();
+                let keys = VALUES.iter().chain(others).map(|key| key.name);
                 let near = nearest_of(unknown, keys)
                     .map_or_else(String::new, |near| format!("; the nearest is `{near}`"));
                 return Err((key.span().start, format!("there is no key `{unknown}`{near}")));
@@ -214,6 +210,19 @@ fn one_of<T: Copy, const COUNT: usize>(
         let names = all.map(name).join(", ");
         (value.span().start, format!("there is no {what} `{written}`; there are {names}"))
     })
+}
+
+fn address(value: &Spanned<DeValue<'_>>) -> Result<String, Fault> {
+    web_address(text(value)?).map_err(|problem| (value.span().start, problem))
+}
+
+/// An address of the web, checked only as far as a report needs it.
+pub(in crate::cli) fn web_address(text: &str) -> Result<String, String> {
+    let is_printable = !text.contains(|letter: char| letter.is_whitespace() || letter.is_control());
+    match text.starts_with("https://") || text.starts_with("http://") {
+        true if is_printable => Ok(text.to_owned()),
+        _ => Err("write an address that begins with https://".to_owned()),
+    }
 }
 
 fn count(value: &Spanned<DeValue<'_>>) -> Result<usize, Fault> {
@@ -297,6 +306,7 @@ mod tests {
             ),
             ("rules = 3", "1:9: write it as a table: [rules], then `rule = \"level\"`"),
             ("max-warnings = -1", "1:16: write a whole number, 0 or more"),
+            ("rules-url = \"rules\"", "1:13: write an address that begins with https://"),
             ("[override]\nfiles = \"a\"", "1:1: write each of them as a table of its own: [[override]]"),
             ("[[override]]\ncontrol = \"gsk\"", "1:1: an override names its files: files = [\"gsk/**\"]"),
             ("[[override]]\nfile = \"a\"", "2:1: there is no key `file`; the nearest is `files`"),

@@ -6,6 +6,7 @@
 
 mod dxf;
 mod file;
+pub(super) mod keys;
 pub(super) mod shown;
 
 use std::collections::HashMap;
@@ -19,6 +20,7 @@ use super::system;
 use crate::message::Severity;
 use crate::setup::dialect::Control;
 use crate::setup::{Setup, profile};
+pub(super) use file::web_address;
 use file::{Keys, Located, Values};
 
 /// Name of the configuration file.

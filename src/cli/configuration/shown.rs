@@ -118,6 +118,9 @@ fn whole_check(rows: &mut Rows, configuration: Option<&Configuration>) {
     if let Some(located) = keys.and_then(|keys| keys.max_warnings.as_ref()) {
         rows.add_located("max-warnings", &located.value.to_string(), located);
     }
+    if let Some(located) = keys.and_then(|keys| keys.rules_url.as_ref()) {
+        rows.add_located("rules-url", &located.value, located);
+    }
 }
 
 /// The rows, and the file that their line numbers refer to.

@@ -22,7 +22,7 @@ use super::{
 use crate::export::figure::Subject;
 use crate::limits;
 use crate::message::Edit;
-use crate::rewrite::applied;
+use crate::message::applied;
 use crate::scene;
 use crate::scene::svg::SvgOptions;
 use crate::sentences::{Language, labels};

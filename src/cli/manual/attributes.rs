@@ -1,10 +1,10 @@
 //! Validates the attributes of an element.
 //!
-//! In: name and value of an attribute. Out: the fault, if any. The page has its own list in `element.ts`;
-//! `tests/manuals.rs` compares the two.
+//! In: name and value of an attribute. Out: the fault, if any. The page has its own list in
+//! `element-attributes.ts`, which the test below compares with this one.
 
 /// Attributes with their allowed values; empty if any text is allowed.
-const KNOWN: [(&str, &[&str]); 23] = [
+const KNOWN: [(&str, &[&str]); 28] = [
     ("src", &[]),
     ("control", &["fanuc", "gsk", "forum"]),
     ("setup", &[]),
@@ -39,12 +39,17 @@ const KNOWN: [(&str, &[&str]); 23] = [
             "speed",
         ],
     ),
+    ("exercise", &[]),
     ("caption", &[]),
     ("loading", &["lazy", "eager", "click"]),
     ("playground", &[]),
     ("rules", &[]),
     ("docs", &[]),
     ("manual", &[]),
+    ("speed", &[]),
+    ("height", &["auto"]),
+    ("rows-min", &[]),
+    ("rows-max", &[]),
 ];
 /// Attributes of the element that do not concern its program.
 const OF_THE_PAGE: [&str; 2] = ["split", "hints"];
@@ -87,6 +92,8 @@ pub fn fault(name: &str, value: &str) -> Option<Fault> {
         "highlight" | "lines" if !words(value).all(is_lines) => expects("6-8, 12"),
         "block-skip" if !words(value).all(|word| matches!(word.parse(), Ok(1..=9_u8))) => expects("1,2"),
         "program" if value.parse::<u32>().is_err() => expects("2"),
+        "rows-min" | "rows-max" if !matches!(value.parse(), Ok(1..=999_u16)) => expects("12"),
+        "speed" if !is_speed(value) => expects("5, 20 s"),
         _ => None,
     }
 }
@@ -123,13 +130,20 @@ fn is_step(value: &str) -> bool {
     is_number(value.strip_prefix("line").map_or(value, str::trim_start))
 }
 
+/// A multiple of the speed of the machine, or a number of seconds for the whole program.
+fn is_speed(value: &str) -> bool {
+    let number = value.strip_suffix('s').map_or(value, str::trim_end);
+    let has_digits = number.chars().all(|letter| letter.is_ascii_digit() || letter == '.');
+    has_digits && number.parse::<f64>().is_ok_and(|number| number > 0.0 && number < 10_000.0)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn attributes_are_those_of_the_element() {
-        let source = include_str!("../../../www/src/shell/element.ts");
+        let source = include_str!("../../../www/src/shell/element-attributes.ts");
         let list = source.split("observedAttributes = [").nth(1).and_then(|rest| rest.split(']').next());
         let own: Vec<&str> = list.unwrap_or_default().split('\'').skip(1).step_by(2).collect();
         assert_eq!(own, names());
@@ -144,6 +158,10 @@ mod tests {
             ("lines", "3–20"),
             ("step", "line 8"),
             ("step", "12"),
+            ("speed", "0.5"),
+            ("speed", "20 s"),
+            ("height", "auto"),
+            ("rows-max", "12"),
             ("readonly", ""),
             ("data-x", "y"),
             ("aria-label", "y"),
@@ -160,6 +178,10 @@ mod tests {
             ("step", "block 8"),
             ("turret", "left"),
             ("block-skip", "12"),
+            ("speed", "fast"),
+            ("speed", "0"),
+            ("height", "full"),
+            ("rows-min", "0"),
         ] {
             assert!(matches!(fault(name, value), Some(Fault::Value { .. })), "{name}={value}");
         }

@@ -57,6 +57,11 @@ pub fn macro_a(block: &Block) -> Option<u32> {
     u32::try_from(whole(operation)?).ok()
 }
 
+/// Whether an operation of macro A jumps to the block in P: H80 to H86.
+pub fn is_jump_of_macro_a(operation: u32) -> bool {
+    (80..=86).contains(&operation)
+}
+
 /// Whether a word only controls the flow of the program: M97 to M99, G65 to G67.
 pub fn is_flow_control(word: &Word) -> bool {
     is_call_or_return(word) || matches!(whole_g(word), Some(G::MacroCall(_) | G::NoModalMacro))

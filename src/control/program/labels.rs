@@ -187,6 +187,15 @@ impl Labels {
     }
 }
 
+/// Whether a text can contain a call: it has M98, M198, G65 or G66.
+pub fn may_call(text: &[u8]) -> bool {
+    text.windows(2).enumerate().any(|(at, code)| {
+        let before = &text[at.saturating_sub(4)..at];
+        let letter = before.iter().rev().find(|byte| !matches!(byte, b'0' | b'1' | b' '));
+        matches!(code, b"98" | b"65" | b"66") && matches!(letter, Some(b'M' | b'm' | b'G' | b'g'))
+    })
+}
+
 /// The programs that a text calls but does not contain: each number once, with the first word that calls it.
 pub fn calls_elsewhere(text: &[u8]) -> Vec<(u32, Span)> {
     let (mut parser, mut block) = (Parser::new(text), Block::default());
@@ -229,6 +238,14 @@ pub fn program_and_repeats(value: u64) -> (u32, u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_calls_nothing_is_not_read() {
+        for text in ["M98 P1", "m098P1", "G65 P1", "G 66 P1", "M198 P1"] {
+            assert!(may_call(text.as_bytes()), "{text}");
+        }
+        assert!(!may_call(b"O1\nG01 X98. Z-65.66\nX1665\nM30\n"));
+    }
 
     #[test]
     fn a_call_beside_h_is_one_where_there_is_its_program() {

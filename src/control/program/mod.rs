@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use budget::Budget;
 pub use call_stack::{Call, CallKind, CallStack, Loop, ModalCall, Rounds};
-pub use labels::{Labels, calls_elsewhere, program_and_repeats};
+pub use labels::{Labels, calls_elsewhere, may_call, program_and_repeats};
 pub use main_pass::MainPass;
 
 use crate::order;

@@ -191,6 +191,7 @@ impl Run {
             finished: false,
             stopped: false,
             sorted: Vec::new(),
+            ignored: None,
             checkpoints: Vec::new(),
             due: usize::MAX,
             previous: None,

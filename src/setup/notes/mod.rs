@@ -72,14 +72,42 @@ pub struct UnreadableWord {
     pub nearest: Option<&'static str>,
 }
 
+impl UnreadableWord {
+    /// The message about the word; its fix corrects the key.
+    pub(super) fn diagnostic(&self, text: &[u8]) -> Diagnostic {
+        let word = self.span.quote(text);
+        let key = word.split('=').next().map_or(0, str::len) as u32;
+        let told =
+            Diagnostic::new(said::NoteWord { word, expected: self.expected.clone().into_owned() }, self.span);
+        let key = Span { end: self.span.start + key, ..self.span };
+        let fix = self.nearest.map(|nearest| Fix::write(key, nearest.to_owned()));
+        Diagnostic { fixes: fix.into_iter().collect(), ..told }
+    }
+}
+
 /// A word of a note: `KEY=value`, or a name alone.
-struct Word<'a> {
+pub(super) struct Word<'a> {
     key: String,
     value: &'a str,
     span: Span,
 }
 
-impl Word<'_> {
+impl<'a> Word<'a> {
+    /// Its key in capitals; the whole word, if it has no value.
+    pub(super) fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// Its value, if it has this key.
+    pub(super) fn value_of(&self, key: &str) -> Option<&'a str> {
+        Some(self.value).filter(|value| self.key == key && !value.is_empty())
+    }
+
+    /// Its place.
+    pub(super) fn span(&self) -> Span {
+        self.span
+    }
+
     /// Whether it is a coordinate of a point of an outline.
     fn is_of_point(&self) -> bool {
         matches!(&*self.key, "X" | "Z")
@@ -424,17 +452,7 @@ early! {
     }
 
     fn reported(notes: &Notes, invalid: Vec<InvalidValue>, text: &[u8]) -> Vec<Diagnostic> {
-        let words = notes.unreadable.iter().map(|fault| {
-            let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();
-            let key = word.split('=').next().map_or(0, str::len) as u32;
-            let told = Diagnostic::new(
-                said::NoteWord { word, expected: fault.expected.clone().into_owned() },
-                fault.span,
-            );
-            let key = Span { end: fault.span.start + key, ..fault.span };
-            let fix = fault.nearest.map(|nearest| Fix::write(key, nearest.to_owned()));
-            Diagnostic { fixes: fix.into_iter().collect(), ..told }
-        });
+        let words = notes.unreadable.iter().map(|fault| fault.diagnostic(text));
         let values = invalid.into_iter().filter_map(|fault| {
             let places = || notes.places.iter().filter(|place| fault.key.starts_with(&place.0));
             let span = places().next_back().map_or(Span::new(0, 0), |place| place.1);
@@ -537,7 +555,7 @@ fn is_number(digits: &str) -> bool {
 }
 
 /// The words of a comment that begins at byte `start`.
-fn words(inside: &str, start: usize) -> Vec<Word<'_>> {
+pub(super) fn words(inside: &str, start: usize) -> Vec<Word<'_>> {
     let offset = |part: &str| start + (part.as_ptr() as usize - inside.as_ptr() as usize);
     let parts = inside.split_ascii_whitespace();
     parts

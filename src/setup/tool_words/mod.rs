@@ -14,6 +14,7 @@ use crate::order;
 use std::collections::BTreeMap;
 
 use super::first_unit;
+use super::ignored;
 use super::notes::{self, HEAD};
 use super::{DescribedStock, Side, Tool, ToolKind};
 use crate::text::lexer;
@@ -95,7 +96,10 @@ pub fn stock(text: &[u8], unit: Unit) -> DescribedStock {
     let mut known = DescribedStock::default();
     let comments = text.split('(').skip(1).filter_map(|rest| rest.split([')', '\n', '\r']).next());
     for comment in title.lines().filter(|line| !line.contains('(')).chain(comments) {
-        if notes::is_note(comment) || !comment.contains(|letter: char| letter.is_ascii_digit()) {
+        if notes::is_note(comment)
+            || is_note(comment)
+            || !comment.contains(|letter: char| letter.is_ascii_digit())
+        {
             continue;
         }
         let said = blank::described(&capitals::in_capitals(comment), unit);
@@ -159,7 +163,8 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
 /// Whether a comment tells to turn the part around and machine the other end. `is_at_stop`: the comment is in
 /// the block of a stop.
 pub fn turns_round(comment: &str, is_at_stop: bool) -> bool {
-    terms::turns_round(&capitals::in_capitals(comment), is_at_stop)
+    !ignored::is_ignore_comment(comment.as_bytes())
+        && terms::turns_round(&capitals::in_capitals(comment), is_at_stop)
 }
 
 /// Whether a comment is the number of the second operation, which means the same in the block of M00.
@@ -239,10 +244,12 @@ fn station(digits: &str) -> Option<u16> {
     .ok()
 }
 
-/// Whether a comment is a setup note (`TOOL T0101 TYPE=TURNING`), which is read elsewhere.
+/// Whether a comment is a setup note (`TOOL T0101 TYPE=TURNING`), which is read elsewhere, or names rules
+/// (`IGNORE RULE=THREAD-ANGLE`).
 fn is_note(comment: &str) -> bool {
     let mut words = comment.split_ascii_whitespace();
-    words.next().is_some_and(|word| word.eq_ignore_ascii_case("TOOL")) && comment.contains('=')
+    let is_of_tool = words.next().is_some_and(|word| word.eq_ignore_ascii_case("TOOL"));
+    is_of_tool && comment.contains('=') || ignored::is_ignore_comment(comment.as_bytes())
 }
 
 /// Whether a block moves an axis.

@@ -1,6 +1,7 @@
 //! A Markdown table for a comment or a page.
 
 use super::{api, sentence};
+use crate::cli::markdown::escaped;
 use crate::sentences::{Language, labels};
 
 /// The table header.
@@ -19,31 +20,13 @@ pub(super) fn rows(name: &str, rows: impl Iterator<Item = api::Diagnostic>, lang
         let severity =
             crate::message::Severity::named(&row.severity).unwrap_or(crate::message::Severity::Info);
         let cells = [
-            cell(name),
+            escaped(name),
             row.line.to_string(),
             labels::severity(severity, language).to_owned(),
-            cell(&row.code),
-            cell(&sentence(&row)),
+            escaped(&row.code),
+            escaped(&sentence(&row)),
         ];
         format!("| {} |\n", cells.join(" | "))
     })
     .collect()
-}
-
-/// Escapes text for a table cell.
-fn cell(text: &str) -> String {
-    let mut cell = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '|' | '\\' | '*' | '_' | '[' | ']' | '`' | '#' => {
-                cell.push('\\');
-                cell.push(letter);
-            }
-            '<' => cell.push_str("&lt;"),
-            '&' => cell.push_str("&amp;"),
-            letter if letter.is_control() => cell.push(' '),
-            letter => cell.push(letter),
-        }
-    }
-    cell
 }

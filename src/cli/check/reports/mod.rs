@@ -3,9 +3,12 @@
 //! In: files with the findings that count. Out: bytes. The part of a file depends on that file alone, so it
 //! is made in the thread that checks the file; the counts are added up afterwards.
 
+mod concise;
 mod github;
+mod gitlab;
 mod junit;
 mod markdown;
+mod rdjson;
 mod sarif;
 mod words;
 
@@ -13,11 +16,13 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use clap::ValueEnum;
+use serde_json::Value;
 
+use super::super::rule_page::{self, Page};
 use super::super::system::{self, Stream};
 use super::super::{counted, terminal, write_row};
 use super::finding::{Finding, Programs, Remark, Subject, What};
-use crate::api::{self, ElementNote, InFile, InManual, Places};
+use crate::api::{self, ElementNote, InFile, InManual, OfRule, Places};
 use crate::message::Severity;
 use crate::sentences::Language;
 use crate::source::LineIndex;
@@ -27,12 +32,18 @@ use crate::source::LineIndex;
 pub(in crate::cli) enum ReportFormat {
     /// For people, with the line and carets under the words.
     Text,
+    /// One line for each finding: file:line:column: severity code message.
+    Concise,
     /// One JSON object a line.
     Json,
     /// SARIF 2.1.0, for code scanning.
     Sarif,
     /// Annotations of a workflow on GitHub.
     Github,
+    /// A Code Quality report of GitLab.
+    Gitlab,
+    /// The format of reviewdog.
+    Rdjson,
     /// JUnit's XML: each file is a suite, each error and warning a test that fails.
     Junit,
     /// A table for a comment or a page.
@@ -125,6 +136,8 @@ pub(super) struct ReportOptions {
     pub to_file: bool,
     /// Language of messages.
     pub language: Language,
+    /// The address of the rule pages, if it is known.
+    pub rules_url: Option<String>,
     /// Report the number of findings of each rule instead of the findings.
     pub statistics: bool,
     /// Report findings only.
@@ -165,16 +178,22 @@ impl Report {
         match self.wanted.format {
             _ if self.wanted.statistics => Vec::new(),
             ReportFormat::Sarif => sarif::begin(),
+            ReportFormat::Gitlab => gitlab::BEGIN.into(),
+            ReportFormat::Rdjson => rdjson::BEGIN.into(),
             ReportFormat::Junit => junit::BEGIN.into(),
             ReportFormat::Markdown => markdown::begin(self.wanted.language).into(),
-            ReportFormat::Text | ReportFormat::Json | ReportFormat::Github => Vec::new(),
+            ReportFormat::Text | ReportFormat::Concise | ReportFormat::Json | ReportFormat::Github => {
+                Vec::new()
+            }
         }
     }
 
     /// The separator between two files with output.
     pub(super) fn between(&self) -> &'static [u8] {
         match self.wanted.format {
-            ReportFormat::Sarif if !self.wanted.statistics => b",\n",
+            ReportFormat::Sarif | ReportFormat::Gitlab | ReportFormat::Rdjson if !self.wanted.statistics => {
+                b",\n"
+            }
             _ => b"",
         }
     }
@@ -187,19 +206,28 @@ impl Report {
         }
         let places = Places { text: &subject.text, lines: &LineIndex::as_written(&subject.text) };
         let rows = || subject.findings.iter().filter_map(|one| one.row(places, self.wanted.language));
-        let name = &subject.name;
+        let (name, language) = (&subject.name, self.wanted.language);
         let text = match self.wanted.format {
             ReportFormat::Text => {
                 let found = subject.findings.iter();
                 found.map(|one| self.text(name, places, one)).collect::<String>().into_bytes()
+            }
+            ReportFormat::Concise => {
+                let notes = subject.findings.iter().filter(|one| matches!(one.what, What::AssumedStock(..)));
+                let notes = notes.map(|one| self.text(name, places, one));
+                notes.fold(concise::lines(name, rows()), |lines, note| lines + &note).into_bytes()
             }
             ReportFormat::Json => {
                 in_memory(|out| subject.findings.iter().try_for_each(|one| self.json(out, name, places, one)))
             }
             ReportFormat::Sarif => sarif::results(name, rows()),
             ReportFormat::Github => github::annotations(name, rows()).into_bytes(),
+            ReportFormat::Gitlab => gitlab::issues(subject, places, language),
+            ReportFormat::Rdjson => {
+                rdjson::diagnostics(name, places, rows(), self.wanted.rules_url.as_deref(), language)
+            }
             ReportFormat::Junit => junit::suite(name, rows()).into_bytes(),
-            ReportFormat::Markdown => markdown::rows(name, rows(), self.wanted.language).into_bytes(),
+            ReportFormat::Markdown => markdown::rows(name, rows(), language).into_bytes(),
         };
         (text, counts)
     }
@@ -225,7 +253,7 @@ impl Report {
     fn json(&self, out: &mut dyn Write, file: &str, places: Places<'_>, one: &Finding) -> io::Result<()> {
         match &one.what {
             What::Message(message) => {
-                let row = places.diagnostic(message, self.wanted.language);
+                let row = self.of_rule(places.diagnostic(message, self.wanted.language));
                 write_row(out, &InFile { file, row })
             }
             What::Remark(Remark { place: (line, column), slug, message }) => {
@@ -240,6 +268,15 @@ impl Report {
         }
     }
 
+    /// The row of a message with the title and the address of its rule.
+    fn of_rule(&self, row: api::Diagnostic) -> OfRule<api::Diagnostic> {
+        let (slug, language) = (&row.slug, self.wanted.language);
+        let title = Page::of(slug).map_or("", |page| page.text(language).title);
+        let folder = self.wanted.rules_url.as_deref();
+        let url = folder.map(|folder| rule_page::address(folder, slug, language));
+        OfRule { row, title, url }
+    }
+
     /// The text after all programs.
     pub(super) fn end(&self, counts: &Counts) -> Vec<u8> {
         if self.wanted.statistics {
@@ -250,14 +287,16 @@ impl Report {
         let counts =
             &Counts { without_stock: if is_named { 0 } else { counts.without_stock }, ..counts.clone() };
         match self.wanted.format {
-            ReportFormat::Sarif => sarif::end(counts),
+            ReportFormat::Sarif => sarif::end(counts, self.wanted.rules_url.as_deref(), self.wanted.language),
+            ReportFormat::Gitlab => gitlab::END.into(),
+            ReportFormat::Rdjson => rdjson::END.into(),
             ReportFormat::Junit => junit::END.into(),
             ReportFormat::Markdown if !self.wanted.quiet => {
                 format!("\n{}\n", words::summary(counts, self.wanted.language)).into_bytes()
             }
             // If no file could be read, errors were reported; a summary of "no findings" would be misleading.
-            ReportFormat::Text if counts.files == 0 => Vec::new(),
-            ReportFormat::Text if !self.wanted.quiet && !self.wanted.are_pages => {
+            ReportFormat::Text | ReportFormat::Concise if counts.files == 0 => Vec::new(),
+            ReportFormat::Text | ReportFormat::Concise if !self.wanted.quiet && !self.wanted.are_pages => {
                 format!("{}\n", words::summary(counts, self.wanted.language)).into_bytes()
             }
             _ => Vec::new(),
@@ -303,6 +342,19 @@ fn sentence(row: &api::Diagnostic) -> String {
         Some(help) => format!("{} {help}", row.message),
         None => row.message.clone(),
     }
+}
+
+/// Objects of a JSON array, separated by commas.
+fn list(objects: impl Iterator<Item = Value>) -> Vec<u8> {
+    in_memory(|out| {
+        for (at, object) in objects.enumerate() {
+            if at > 0 {
+                out.write_all(b",\n")?;
+            }
+            out.write_all(terminal::json(&object)?.as_bytes())?;
+        }
+        Ok(())
+    })
 }
 
 /// A file name as part of a URL: with `/` as separator, percent-encoded.

@@ -5,8 +5,11 @@
 
 use serde_json::{Value, json};
 
-use super::{Counts, address, api, in_memory, terminal};
-use crate::message::{RULES, Severity};
+use super::{Counts, address, api, list};
+use crate::cli::markdown;
+use crate::cli::rule_page::{self, Page, Text};
+use crate::message::{RULES, Rule, Severity};
+use crate::sentences::Language;
 
 /// The text before the results.
 pub(super) fn begin() -> Vec<u8> {
@@ -15,26 +18,31 @@ pub(super) fn begin() -> Vec<u8> {
 
 /// The results of a program, separated by commas.
 pub(super) fn results(name: &str, rows: impl Iterator<Item = api::Diagnostic>) -> Vec<u8> {
-    in_memory(|out| {
-        for (at, row) in rows.enumerate() {
-            if at > 0 {
-                out.write_all(b",\n")?;
-            }
-            out.write_all(terminal::json(&result(name, &row))?.as_bytes())?;
-        }
-        Ok(())
-    })
+    list(rows.map(|row| result(name, &row)))
 }
 
-/// The text after the results.
-pub(super) fn end(counts: &Counts) -> Vec<u8> {
-    let rules: Vec<Value> = RULES
-        .iter()
-        .filter(|rule| counts.rules.contains_key(rule.slug))
-        .map(|rule| json!({"id": rule.slug, "defaultConfiguration": {"level": level(rule.severity)}}))
-        .collect();
+/// The text after the results. `pages`: the address of the rule pages.
+pub(super) fn end(counts: &Counts, pages: Option<&str>, language: Language) -> Vec<u8> {
+    let found = RULES.iter().filter(|rule| counts.rules.contains_key(rule.slug));
+    let rules: Vec<Value> = found.map(|found| rule(found, pages, language)).collect();
     let driver = json!({"name": "gcode-playground", "version": env!("CARGO_PKG_VERSION"), "rules": rules});
     format!("\n],\n\"tool\": {{\"driver\": {driver}}}\n}}]\n}}\n").into_bytes()
+}
+
+/// The description of a rule: its title, its texts, and the address of its page.
+fn rule(rule: &Rule, pages: Option<&str>, language: Language) -> Value {
+    let mut object = json!({"id": rule.slug, "defaultConfiguration": {"level": level(rule.severity)}});
+    if let Some(page) = Page::of(rule.slug) {
+        let Text { title, what, why, repair } = *page.text(language);
+        let paragraphs = [why, repair].map(markdown::with_code).join("\n\n");
+        object["shortDescription"] = json!({"text": title});
+        object["fullDescription"] = json!({"text": what});
+        object["help"] = json!({"text": format!("{why}\n\n{repair}"), "markdown": paragraphs});
+    }
+    if let Some(folder) = pages {
+        object["helpUri"] = rule_page::address(folder, rule.slug, language).into();
+    }
+    object
 }
 
 fn result(name: &str, row: &api::Diagnostic) -> Value {
