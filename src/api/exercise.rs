@@ -78,7 +78,7 @@ pub struct Size {
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(
-            type = "\"diameter\" | \"length\" | \"face\" | \"angle\" | \"radius\" | \"width\" | \"lead\" | \"root\" | \"thread-length\" | \"flats\""
+            type = "\"diameter\" | \"length\" | \"face\" | \"angle\" | \"radius\" | \"width\" | \"lead\" | \"root\" | \"crest\" | \"thread-length\" | \"flats\""
         )
     )]
     pub quantity: &'static str,
@@ -265,6 +265,7 @@ fn name_of(quantity: Quantity) -> &'static str {
         Quantity::Width => "width",
         Quantity::Lead => "lead",
         Quantity::Root => "root",
+        Quantity::Crest => "crest",
         Quantity::ThreadLength => "thread-length",
         Quantity::Flats => "flats",
     }

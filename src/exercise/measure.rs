@@ -19,6 +19,8 @@ const PLACES: usize = 9;
 const END: f64 = 0.2;
 /// The same of a cone.
 const END_OF_CONE: f64 = 0.05;
+/// Number of places in each of two leads at which the crests of a thread are measured.
+const CREST_PLACES: i32 = 20;
 /// Deviations that differ by less than this, mm, are the same.
 const SAME_DEVIATION: f64 = 1e-4;
 /// Greatest distance of the arc of the part from that of the target, mm.
@@ -76,6 +78,24 @@ impl Report<'_> {
         let actual = self.shape.radius(at.z, edge, at.x);
         Measured {
             quantity: Quantity::Diameter,
+            at,
+            nominal: Diameter::from_radius(at.x).mm(),
+            actual: actual.map(|radius| Diameter::from_radius(radius).mm()),
+            tolerance: edge.tolerance,
+            edge: index,
+        }
+    }
+
+    /// The diameter at the crests of a thread: the greatest of an external thread, the least of an internal one, within
+    /// two leads at the middle.
+    fn crest(&self, index: usize, edge: &Edge, lead: f64) -> Measured {
+        let at = edge.middle();
+        let places = (-CREST_PLACES..=CREST_PLACES).map(|place| at.z + lead * f64::from(place) / f64::from(CREST_PLACES));
+        let radii = places.filter_map(|z| self.shape.radius(z, edge, at.x));
+        let is_outside = edge.inwards.x < 0.0;
+        let actual = if is_outside { radii.reduce(f64::max) } else { radii.reduce(f64::min) };
+        Measured {
+            quantity: Quantity::Crest,
             at,
             nominal: Diameter::from_radius(at.x).mm(),
             actual: actual.map(|radius| Diameter::from_radius(radius).mm()),
@@ -184,8 +204,8 @@ impl Report<'_> {
         })
     }
 
-    /// Lead, root diameter and length of a thread.
-    fn thread(&self, index: usize, edge: &Edge, wanted: ThreadOf) -> [Measured; 3] {
+    /// Lead, root diameter, length and crest diameter of a thread. A wrong lead also changes the crests, so they are last.
+    fn thread(&self, index: usize, edge: &Edge, wanted: ThreadOf) -> [Measured; 4] {
         let (low, high) = (edge.from.z.min(edge.to.z), edge.from.z.max(edge.to.z));
         let is_near = |own: &&Thread| {
             let near = (own.depth - wanted.root.radius()).abs() <= 2.0 * wanted.lead;
@@ -207,6 +227,7 @@ impl Report<'_> {
             row(Quantity::Lead, wanted.lead, found.map(|own| own.lead.abs()), LEAD),
             row(Quantity::Root, wanted.root.mm(), root, wanted.tolerance),
             row(Quantity::ThreadLength, right - low, found.map(|own| right - own.z[0]), length),
+            self.crest(index, edge, wanted.lead),
         ]
     }
 }

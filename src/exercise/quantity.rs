@@ -22,6 +22,8 @@ pub enum Quantity {
     Lead,
     /// The diameter at the roots of a thread, mm.
     Root,
+    /// The diameter at the crests of a thread, mm.
+    Crest,
     /// How far a thread is cut from the right end, mm.
     ThreadLength,
     /// The width across milled flats, mm.

@@ -110,7 +110,7 @@ fn first_out(sizes: &[Measured]) -> Option<&Measured> {
     let rank = |size: &&Measured| match size.quantity {
         Quantity::Diameter => 0,
         Quantity::Radius | Quantity::Width | Quantity::Flats => 1,
-        Quantity::Angle | Quantity::Lead | Quantity::Root | Quantity::ThreadLength => 2,
+        Quantity::Angle | Quantity::Lead | Quantity::Root | Quantity::ThreadLength | Quantity::Crest => 2,
         Quantity::Length | Quantity::Face => 3,
     };
     let out = sizes.iter().filter(|size| !size.is_in());

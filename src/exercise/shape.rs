@@ -121,15 +121,20 @@ impl<'a> Shape<'a> {
 
     /// Whether a place is between the teeth of a thread, or on the nib that facing or parting leaves on the axis.
     pub fn is_ignored(&self, at: Point) -> bool {
-        let has_tooth = |thread: &Thread| {
-            let [low, high] = thread.z;
-            let depth = (at.x - thread.depth).abs();
-            (low - thread.lead..=high + thread.lead).contains(&at.z) && depth <= 1.5 * thread.lead
-        };
-        let is_on_thread = self.target.edges.iter().any(|edge| {
-            edge.thread.is_some() && edge.distance(at) <= edge.thread.map_or(0.0, |own| 1.5 * own.lead)
-        });
-        at.x <= NIB || is_on_thread && self.threads.iter().any(has_tooth)
+        at.x <= NIB || self.target.edges.iter().any(|edge| self.is_between_teeth(at, edge))
+    }
+
+    /// Whether a place is between the roots of a thread and the surface of its edge. A groove at its end is deeper.
+    fn is_between_teeth(&self, at: Point, edge: &Edge) -> bool {
+        let Some(wanted) = edge.thread else { return false };
+        let crest = [edge.from.x, edge.to.x];
+        edge.distance(at) <= 1.5 * wanted.lead
+            && self.threads.iter().any(|thread| {
+                let [low, high] = thread.z;
+                let (inner, outer) = (thread.depth.min(crest[0]).min(crest[1]), thread.depth.max(crest[0]).max(crest[1]));
+                (low - thread.lead..=high + thread.lead).contains(&at.z)
+                    && (inner - ERROR..=outer + ERROR).contains(&at.x)
+            })
     }
 }
 

@@ -134,7 +134,8 @@ pub fn quantity(quantity: Quantity, language: Language) -> &'static str {
         Quantity::Radius => ["radius", "半径", "радиус"],
         Quantity::Width => ["groove width", "槽宽", "ширина канавки"],
         Quantity::Lead => ["lead", "导程", "ход резьбы"],
-        Quantity::Root => ["thread depth", "螺纹底径", "диаметр впадин резьбы"],
+        Quantity::Root => ["root diameter", "螺纹牙底直径", "диаметр впадин резьбы"],
+        Quantity::Crest => ["crest diameter", "螺纹牙顶直径", "диаметр вершин резьбы"],
         Quantity::ThreadLength => ["thread length", "螺纹长度", "длина резьбы"],
         Quantity::Flats => ["width across flats", "对边宽度", "размер под ключ"],
     })
@@ -149,7 +150,7 @@ pub fn place_of(size: &Measured) -> String {
 pub fn with_sign(quantity: Quantity, value: f64) -> String {
     let value = short(value);
     match quantity {
-        Quantity::Diameter | Quantity::Root => format!("Ø{value}"),
+        Quantity::Diameter | Quantity::Root | Quantity::Crest => format!("Ø{value}"),
         Quantity::Radius => format!("R{value}"),
         Quantity::Face => format!("Z{value}"),
         Quantity::Angle => format!("{value}°"),
