@@ -1,10 +1,11 @@
 // Pasting or opening a text that contains more than a program: the page offers to extract programs, and typed text is
 // never lost.
-import { expect, test, type Page } from './engines';
+import { chromiumTest, expect, test, type BasicPage } from './engines';
 import { choose, copy, editor, open, openFile, status, value } from './page';
+import { runBeforeWorker } from './worker-script';
 
-const dialog = (page: Page) => page.getByRole('dialog', { name: 'Programs in this text' });
-const cleaned = (page: Page) => dialog(page).getByRole('region', { name: 'The program, cleaned' });
+const dialog = (page: BasicPage) => page.getByRole('dialog', { name: 'Programs in this text' });
+const cleaned = (page: BasicPage) => dialog(page).getByRole('region', { name: 'The program, cleaned' });
 
 const SLIDE = [
   'Example 4: taper facing. Write the program.',
@@ -15,7 +16,7 @@ const SLIDE = [
 ].join('\n');
 
 /** Pastes a text over the text of the editor. */
-async function paste(page: Page, text: string): Promise<void> {
+async function paste(page: BasicPage, text: string): Promise<void> {
   await copy(page, text);
   await editor(page).focus();
   await page.keyboard.press('Control+A');
@@ -73,6 +74,43 @@ test('only the pasted text is replaced', async ({ page }) => {
   await expect
     .poll(() => value(page))
     .toBe('O9\nM30\nO8234\nN10 G50 X100.0 Z100.0;\nN30 G00 X85.0 Z5.0;\nN40 G94 X20.0 Z-3 F200;\nN90 M30;\n');
+});
+
+chromiumTest('a program can be taken only after it has arrived', async ({ page }) => {
+  // The worker answers the requests for programs when the test says so.
+  await runBeforeWorker(
+    page,
+    `
+    const requests = new Set();
+    const held = [];
+    self.addEventListener('message', ({ data }) => {
+      if (data?.content?.kind === 'question' && data.content.about === 'pieces-of') requests.add(data.content.id);
+    });
+    const post = self.postMessage.bind(self);
+    self.postMessage = (message, ...rest) => {
+      if (message?.event?.kind === 'answer' && requests.has(message.event.id)) held.push(() => post(message, ...rest));
+      else post(message, ...rest);
+    };
+    self.release = (index) => held[index]();
+    self.heldCount = () => held.length;
+  `,
+  );
+  const inWorker = (script: string): Promise<unknown> => page.workers()[0]!.evaluate(script);
+  await open(page);
+  await paste(page, SLIDE);
+  const take = dialog(page).getByRole('button', { name: 'Take this program' });
+  await expect(take).toBeDisabled();
+  await expect.poll(() => inWorker('heldCount()')).toBe(1);
+  await page.keyboard.press('ArrowDown');
+  await expect.poll(() => inWorker('heldCount()')).toBe(2);
+  // The pieces of the program that is no longer chosen.
+  await inWorker('release(0)');
+  await page.waitForTimeout(200);
+  await expect(take).toBeDisabled();
+  await inWorker('release(1)');
+  await expect(cleaned(page)).toContainText('G98 G01');
+  await take.click();
+  await expect.poll(() => value(page)).toBe('O1;\nG00 X80.0 Z30.0;\nG98 G01 Z?20.0 F100;\nM30;\n');
 });
 
 test('a plain program is pasted without a message, and a text without programs is reported as such', async ({

@@ -63,3 +63,6 @@ export async function within<T>(ms: number, what: string, act: Promise<T>, end: 
     clearTimeout(timer);
   }
 }
+
+/** The browser's process of the page has ended. */
+export class BrowserCrashed extends Error {}

@@ -11,6 +11,7 @@ import {
 } from '@playwright/test';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { noteCrash, refuseSecondTry } from './crashes';
 import type { Driver } from './driver';
 import { firefox } from './firefox';
 import { ForeignPage } from './foreign';
@@ -59,7 +60,8 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
     },
     { scope: 'worker', timeout: 120_000 },
   ],
-  page: async ({ driver, browser, server, storing }, use) => {
+  page: async ({ driver, browser, server, storing }, use, testInfo) => {
+    refuseSecondTry(testInfo);
     if (driver === undefined) {
       // Headed Chromium lets a page copy after a click; headless Chromium needs this permission.
       const context = await browser.newContext({ permissions: ['clipboard-write'] });
@@ -69,10 +71,15 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
       return;
     }
     const finder = readFileSync(join(__dirname, '..', '..', '..', 'www', 'test-build', 'finder.js'), 'utf8');
-    const page = new ForeignPage(await driver.open(), finder, server);
-    if (storing === 'off') await page.addInitScript(withoutStoring);
-    await use(page as never);
-    await page.close();
+    try {
+      const page = new ForeignPage(await driver.open(), finder, server);
+      if (storing === 'off') await page.addInitScript(withoutStoring);
+      await use(page as never);
+      await page.close();
+    } catch (error) {
+      noteCrash(testInfo, error);
+      throw error;
+    }
   },
 });
 
@@ -90,7 +97,8 @@ export type ChromiumPage = PlaywrightPage & Page;
 /** For features that only Chromium has or reports: the page is Playwright's own, with its full interface. */
 export const chromiumTest = base.extend<TestOptions>({
   storing: ['off', { option: true }],
-  context: async ({ context, storing }, use) => {
+  context: async ({ context, storing }, use, testInfo) => {
+    refuseSecondTry(testInfo);
     if (storing === 'off') await context.addInitScript(withoutStoring);
     await use(context);
   },

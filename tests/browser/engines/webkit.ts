@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
 import { promisify } from 'node:util';
-import { DocumentLeft, type Driver, type Tab } from './driver';
+import { BrowserCrashed, DocumentLeft, type Driver, type Tab } from './driver';
 import { keyCode } from './keys';
 import { png } from './picture';
 import { program } from './programs';
@@ -74,6 +74,7 @@ export async function webkit(viewport: { width: number; height: number }, server
       const { value } = (await answer.json()) as { value: unknown };
       if (!answer.ok) {
         const message = `WebKit: ${method} ${path}: ${JSON.stringify(value)}`;
+        if (isCrash(value)) throw new BrowserCrashed(message);
         throw message.includes('before the unload event') ? new DocumentLeft(message) : new Error(message);
       }
       return value;
@@ -100,6 +101,16 @@ export async function webkit(viewport: { width: number; height: number }, server
     kill();
     throw error;
   }
+}
+
+/**
+ * Whether the driver reports that the process of the page has ended: the current command has no result, and then the
+ * session is deleted.
+ */
+function isCrash(value: unknown): boolean {
+  const { error, message } = value as { error?: unknown; message?: unknown };
+  const hasNoResult = message === '' || message === 'Could not parse script result';
+  return error === 'invalid session id' || (error === 'unknown error' && hasNoResult);
 }
 
 /** Starts a program in its own process group, which ends together with this process in all cases. */

@@ -1,8 +1,8 @@
 // The programs found in a text: a list of them, and the chosen one cleaned. Every change is marked, and the dialog asks
 // about ambiguous ones.
 //
-// In: the list, and the pieces of the chosen program. Out: `onChoose` (asks for the pieces of a program) and `onApply`
-// with its text. Must not know: how programs are found, or where the text goes.
+// In: the list, and the pieces of the chosen program, requested by `piecesOf`. Out: `onApply` with its text. Must not
+// know: how programs are found, or where the text goes.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
@@ -12,7 +12,8 @@ import { COMMON, words } from '../dom/words';
 import type { FoundPiece, FoundProgram, FoundPrograms } from '../protocol/protocol';
 
 interface PasteDialogEvents {
-  onChoose(program: number): void;
+  /** The pieces of a program; `undefined` if the interpreter has been restarted. */
+  piecesOf(program: number): Promise<readonly FoundPiece[] | undefined>;
   onApply(text: string): void;
 }
 
@@ -31,7 +32,10 @@ export class PasteDialog {
   #found: FoundPrograms | undefined;
   #trigger: 'inserted' | 'requested' = 'requested';
   #program = 0;
+  /** Pieces of the chosen program; empty until they arrive. */
   #pieces: readonly FoundPiece[] = [];
+  /** Number of the latest request for pieces. */
+  #request = 0;
   /** For each piece with a question, the number of the chosen answer. */
   readonly #answers = new Map<number, number>();
 
@@ -52,8 +56,8 @@ export class PasteDialog {
     this.#allMinus.addEventListener('click', () => this.#chooseAllMinus());
     this.element.addEventListener('close', () => {
       this.#found = undefined;
-      this.#pieces = [];
-      this.#shown.replaceChildren();
+      this.#request++;
+      this.#showPieces([]);
     });
     this.language = language;
   }
@@ -69,7 +73,7 @@ export class PasteDialog {
     if (this.#found === undefined) return;
     this.#showName();
     this.#showList(this.#found);
-    this.#events.onChoose(this.#program);
+    void this.#choose(this.#program);
   }
 
   get element(): HTMLElement {
@@ -87,16 +91,23 @@ export class PasteDialog {
     this.#program = 0;
     this.#showName();
     this.#showList(found);
-    this.showPieces(0, []);
     this.#dialog.show();
-    this.#events.onChoose(0);
+    void this.#choose(0);
     this.#list.querySelector('input')?.focus();
   }
 
-  /** Shows the pieces of a program, unless another one was chosen since. */
-  showPieces(program: number, pieces: readonly FoundPiece[]): void {
-    if (program !== this.#program) return;
+  /** Chooses a program. Until its pieces arrive, there is nothing to apply. */
+  async #choose(program: number): Promise<void> {
+    this.#program = program;
+    this.#showPieces([]);
+    const request = ++this.#request;
+    const pieces = await this.#events.piecesOf(program);
+    if (pieces !== undefined && request === this.#request) this.#showPieces(pieces);
+  }
+
+  #showPieces(pieces: readonly FoundPiece[]): void {
     this.#pieces = pieces;
+    this.#applyButton.disabled = pieces.length === 0;
     this.#answers.clear();
     const rows = pieces.map((piece, at) => this.#renderPiece(piece, at));
     this.#shown.replaceChildren(...rows.flat());
@@ -128,10 +139,7 @@ export class PasteDialog {
     const texts = WORDS[this.#language];
     const lines = texts.lines(program.firstLine, program.lastLine);
     const input = make('input', { type: 'radio', name: 'found', checked: at === this.#program });
-    input.addEventListener('change', () => {
-      this.#program = at;
-      this.#events.onChoose(at);
-    });
+    input.addEventListener('change', () => void this.#choose(at));
     const facts = [
       program.name === '' ? '' : lines,
       program.changes > 0 ? texts.changes(program.changes) : '',

@@ -82,17 +82,12 @@ class Paste implements Panel {
     this.#range = { from, to };
     if (this.#dialog === undefined) {
       this.#dialog = new part.PasteDialog(this.#shell.language, {
-        onChoose: (program) => void this.#showPieces(program),
+        piecesOf: (program) => this.#shell.ask('pieces-of', { program, language: this.#shell.language }),
         onApply: (text) => this.#apply(text),
       });
       this.#shell.region('dialogs').append(this.#dialog.element);
     }
     this.#dialog.show(found, trigger);
-  }
-
-  async #showPieces(program: number): Promise<void> {
-    const pieces = await this.#shell.ask('pieces-of', { program, language: this.#shell.language });
-    if (pieces !== undefined) this.#dialog?.showPieces(program, pieces);
   }
 
   #apply(text: string): void {
