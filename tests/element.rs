@@ -204,7 +204,7 @@ fn reference_and_types_list_the_events_that_the_element_fires() {
     let rows = table("| event |");
     let listed = rows.iter().flat_map(|row| spans(&row[0])).map(str::to_owned);
     assert_eq!(listed.collect::<BTreeSet<_>>(), fired, "{REFERENCE}");
-    // The keys of a detail are those of its type.
+    // A detail has the keys of its type.
     for (row, event) in rows.iter().flat_map(|row| spans(&row[0]).into_iter().map(move |name| (row, name))) {
         let types = events();
         let of = &types.iter().find(|declared| declared.name == event).expect("checked above").of;

@@ -432,7 +432,7 @@ fn every_reference_makes_the_target_that_is_written_from_it() {
 
 #[test]
 fn a_target_is_written_from_a_program() {
-    // Without a nose, the sizes of the part are those of the drawing.
+    // Without a nose radius, the part has the sizes of the drawing.
     for id in ["two-steps", "cone-30-40", "face-step", "facing"] {
         let exercise = read(id);
         let program = project::source(&format!("tests/exercise/{id}/reference.nc"));

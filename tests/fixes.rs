@@ -16,7 +16,7 @@ fn a_diff_shows_the_fixes_and_writes_nothing() {
     assert_eq!(err(&output), "gcode-playground: 1 repair in 1 file; `--fix` makes them\n");
     assert_eq!(fs::read_to_string(folder.0.join("a.nc")).expect("a.nc"), MISREAD);
     assert_eq!(err(&folder.check(&[".", "--diff", "--quiet"])), "");
-    // Errors without a safe fix are no repairs, and neither are those of rules that are not selected.
+    // Errors without a safe fix are no repairs. Neither are errors of rules that are not selected.
     for arguments in [&["b.nc", "--diff"][..], &["a.nc", "--diff", "--select", "number-missing"]] {
         let none = folder.check(arguments);
         assert_eq!((out(&none).as_str(), none.status.code()), ("", Some(0)), "{arguments:?}");

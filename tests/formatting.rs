@@ -1,4 +1,4 @@
-//! `format`: what is written uniformly, what stays, and that no program runs differently.
+//! `format`: words that change, words that stay, and that no program runs differently.
 
 use crate::cli::{file, run};
 use crate::expand::shop::{mistyped, shop_program};

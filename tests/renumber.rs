@@ -1,4 +1,4 @@
-//! `renumber`: the numbers of blocks and the words that refer to them, what is refused, and that no program
+//! `renumber`: the numbers of blocks and the words that refer to them, refusals, and that no program
 //! runs differently.
 
 use crate::cli::{file, run};

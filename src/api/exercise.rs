@@ -26,7 +26,7 @@ use crate::units::Diameter;
 pub struct Graded {
     /// Whether the part is the wanted one and all checks are passed.
     pub passed: bool,
-    /// The points of the answer: those of the exercise, or 0.
+    /// The points of the answer: the points of the exercise, or 0.
     pub points: u32,
     /// Whether the part is the wanted one.
     pub same_part: bool,
@@ -141,7 +141,7 @@ pub enum ExerciseRead {
     },
 }
 
-/// The texts of an exercise in a language, and what the learner begins with.
+/// The texts of an exercise in a language, and the program that the learner begins with.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
@@ -193,7 +193,7 @@ impl ExerciseText {
 }
 
 impl Graded {
-    /// The row of a report. `places` are those of the text of the answer.
+    /// The row of a report. `places`: positions in the text of the answer.
     pub fn new(report: &Report, exercise: &Exercise, places: Places, language: Language) -> Self {
         let line = |span: Span| places.lines.line_of(span.start.min(places.text.len() as u32)) + 1;
         let place = match &report.verdict {

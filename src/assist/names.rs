@@ -139,7 +139,7 @@ pub fn calls(text: &[u8], block: &Block, codes: CodeList) -> Vec<Option<u32>> {
     found
 }
 
-/// Whether a block calls a part of its own program (M97).
+/// Whether a block calls a part of the same program (M97).
 pub fn calls_own_program(text: &[u8], block: &Block, codes: CodeList) -> bool {
     let mut found = false;
     in_words(text, block, |block| found |= by(block, codes) == Some(By::Block));

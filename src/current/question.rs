@@ -1,6 +1,6 @@
 //! A question about a block: its execution, found by a replay of the run in slices.
 //!
-//! In: a place, and which visit to its block. Out: what the replay found. The answer is kept until the
+//! In: a place, and which visit to its block. Out: the result of the replay. The answer is kept until the
 //! question is about another block, or the run changes.
 
 use super::Current;

@@ -348,7 +348,7 @@ fn is_pass(motion: &Motion) -> bool {
     motion.kind.cuts() && matches!(step, None | Some(Step::Cut | Step::Contour))
 }
 
-/// Whether feed and speed of a motion are those of a cut, and not of a thread.
+/// Whether a motion cuts, other than a thread: feed and speed checks apply to it.
 fn is_cut(kind: MotionKind) -> bool {
     kind.cuts() && kind != MotionKind::Thread
 }

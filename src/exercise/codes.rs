@@ -77,7 +77,7 @@ fn code_of(word: &Word, list: CodeList) -> Option<String> {
     }
 }
 
-/// Calls a function with each executed block, in the order of the text, and with those of the contours.
+/// Calls a function with each executed block, in the order of the text, including the blocks of contours.
 pub(super) fn each_block(text: &[u8], analysis: &Analysis, mut call: impl FnMut(&Block)) {
     let mut ranges: BTreeMap<u32, (Resume, u32)> = BTreeMap::new();
     for own in &analysis.trace {

@@ -46,7 +46,7 @@ pub struct Edge {
     pub arc: Option<Arc>,
     /// The tolerance of its size, mm.
     pub tolerance: Tolerance,
-    /// The tolerance of the width of a groove whose bottom it is.
+    /// The tolerance of the width of the groove; `None` if the edge is not the bottom of a groove.
     pub width: Option<Tolerance>,
     /// The tolerance of the angle of a cone, degrees.
     pub angle: Tolerance,

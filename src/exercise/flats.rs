@@ -1,4 +1,4 @@
-//! Flats that are milled around the spindle axis, such as those of a hexagon.
+//! Flats that are milled around the spindle axis, such as the faces of a hexagon.
 //!
 //! In: the line `flats 6 width 24 ±0.1 Z-10` of a target; the motions under polar interpolation. Out: the width across
 //! the flats. The section of the part does not show them.

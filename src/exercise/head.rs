@@ -60,7 +60,7 @@ pub(super) struct Head {
     pub points: u32,
     pub chapter: Option<String>,
     pub control: Option<Control>,
-    /// Tolerance of the sizes that have none of their own.
+    /// Tolerance of the sizes without an explicit one.
     pub tolerance: Tolerance,
     /// Largest rounding of inside corners, mm.
     pub corners: f64,

@@ -90,7 +90,8 @@ impl Report<'_> {
     /// two leads at the middle.
     fn crest(&self, index: usize, edge: &Edge, lead: f64) -> Measured {
         let at = edge.middle();
-        let places = (-CREST_PLACES..=CREST_PLACES).map(|place| at.z + lead * f64::from(place) / f64::from(CREST_PLACES));
+        let places = (-CREST_PLACES..=CREST_PLACES)
+            .map(|place| at.z + lead * f64::from(place) / f64::from(CREST_PLACES));
         let radii = places.filter_map(|z| self.shape.radius(z, edge, at.x));
         let is_outside = edge.inwards.x < 0.0;
         let actual = if is_outside { radii.reduce(f64::max) } else { radii.reduce(f64::min) };

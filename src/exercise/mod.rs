@@ -112,8 +112,8 @@ impl Exercise {
         read::read(text)
     }
 
-    /// The texts of a language by its place in the list of languages; those of the first present language if it is
-    /// missing.
+    /// The texts of a language, by its index in the list of languages; if it is missing, the texts of the first
+    /// language that is present.
     pub fn texts(&self, language: usize) -> Option<&Texts> {
         let own = self.texts.get(language).and_then(Option::as_ref);
         own.or_else(|| self.texts.iter().flatten().next())

@@ -86,7 +86,7 @@ impl<'a> Shape<'a> {
         of_part.chain(of_target).max_by(|a, b| a.excess.total_cmp(&b.excess))
     }
 
-    /// Whether a line of the part is on the axis, or where the bar goes on.
+    /// Whether a line of the part is on the axis, or at the end of the rest of the bar.
     fn is_cut_line(&self, [a, b]: [Point; 2]) -> bool {
         let is_axis = a.x.max(b.x) <= SAME;
         let left = self.target.left + ERROR;
@@ -131,7 +131,8 @@ impl<'a> Shape<'a> {
         edge.distance(at) <= 1.5 * wanted.lead
             && self.threads.iter().any(|thread| {
                 let [low, high] = thread.z;
-                let (inner, outer) = (thread.depth.min(crest[0]).min(crest[1]), thread.depth.max(crest[0]).max(crest[1]));
+                let (inner, outer) =
+                    (thread.depth.min(crest[0]).min(crest[1]), thread.depth.max(crest[0]).max(crest[1]));
                 (low - thread.lead..=high + thread.lead).contains(&at.z)
                     && (inner - ERROR..=outer + ERROR).contains(&at.x)
             })

@@ -124,7 +124,7 @@ fn is_of(answer: &Answer, target: &Target) -> bool {
     measure::report(target, &shape, answer).iter().all(Measured::is_in) && shape.excess().is_none()
 }
 
-/// The slips that may be the cause: those of the fewest words first.
+/// The slips that may be the cause, fewest words first.
 fn candidates(target: &Target, answer: &Answer) -> Vec<Candidate> {
     let words = Words::of(answer);
     let mut all = words.tapers_from_drawing(target);
@@ -277,8 +277,8 @@ fn with_point(letter: char, value: f64) -> String {
     format!("{letter}{rounded}{point}")
 }
 
-/// A fault that messages report and whose fixes, applied until none is left, give the target: those of one rule, or
-/// those of all rules.
+/// A fault that messages report and whose fixes, applied until none is left, give the target: the fixes of one rule, or
+/// of all rules.
 fn reported(exercise: &Exercise, answer: &Answer) -> Option<Cause> {
     let has_fix = |found: &&Diagnostic| found.fixes.iter().any(|fix| !fix.edits.is_empty());
     let found: Vec<&Diagnostic> = answer.analysis.diagnostics.iter().filter(has_fix).collect();

@@ -27,7 +27,7 @@ pub struct Target {
     pub corners: f64,
     /// The half-section.
     pub region: Region,
-    /// Whether the part is parted off: its left end is an edge. Otherwise the bar goes on there.
+    /// Whether the part is parted off: its left end is an edge. Otherwise the rest of the bar follows.
     pub is_parted: bool,
     /// Z of its right end, mm.
     pub right: f64,

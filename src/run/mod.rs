@@ -580,8 +580,8 @@ impl Run {
         if self.finished { &self.sorted } else { self.interpreter.diagnostics() }
     }
 
-    /// Removes those of the messages about the machining that comments of the text hide, and adds those about
-    /// comments that hide none.
+    /// Removes the messages about the machining that comments of the text hide, and adds a message for each comment
+    /// that hides none.
     pub fn hide_at_machine(&self, messages: &mut Vec<Diagnostic>) {
         if let Some(ignored) = &self.ignored {
             ignored.hide_at_machine(messages);

@@ -1,4 +1,4 @@
-//! Code actions: the fixes of the messages, all safe fixes at once, and plain moves as a cycle.
+//! Code actions: the fixes of the messages, all safe fixes in one action, and plain moves as a cycle.
 //!
 //! In: a range. Out: actions with their edits. If the client can ask for an edit later, the edit of all
 //! safe fixes is made only when the user chooses it.
@@ -55,7 +55,7 @@ impl IntoKind for &'static str {
     }
 }
 
-/// Whether actions of a kind are wanted: all, or those of a kind or of a kind above it.
+/// Whether the client requests actions of a kind: it requests all, this kind, or a parent of it.
 fn wants(context: &CodeActionContext, kind: &CodeActionKind) -> bool {
     let name = |kind: &CodeActionKind| serde_json::to_value(kind).ok()?.as_str().map(str::to_owned);
     let Some(kind) = name(kind) else { return false };

@@ -1,6 +1,6 @@
 //! The capabilities of the server, as the client can use them.
 //!
-//! In: what the client can do. Out: the result of `initialize`.
+//! In: the capabilities of the client. Out: the result of `initialize`.
 
 use gen_lsp_types::{
     CodeActionKind, CodeActionOptions, CodeActionProvider, CompletionOptions, DefinitionProvider,

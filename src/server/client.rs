@@ -22,7 +22,7 @@ pub struct Client {
     pub pages: Option<String>,
     /// Whether it asks for diagnostics; otherwise they are sent.
     pub pulls_diagnostics: bool,
-    /// Whether it asks again when it is told that diagnostics have changed.
+    /// Whether it supports `workspace/diagnostic/refresh`.
     pub refreshes_diagnostics: bool,
     /// Whether it shows places that belong to a diagnostic.
     pub shows_related: bool,

@@ -42,7 +42,7 @@ fn item(
     let has_fields = asked.client.inserts_snippets && !own.fills.is_empty();
     let text = asked.with_line_ends(&own.text);
     let new_text = if has_fields { snippet(&own.text, &own.fills) } else { text };
-    // Clients filter by what was typed: `G1` finds G01, `rough` finds G71.
+    // Clients filter by the typed text: `G1` finds G01, `rough` finds G71.
     let begins_so = own.text.to_lowercase().starts_with(typed);
     CompletionItem {
         label: own.label.clone(),

@@ -55,7 +55,7 @@ pub struct Document {
     /// Whether subprograms have been searched for since the last edit.
     is_joined: bool,
     question: Question,
-    /// The place of the question and its run, once it has been asked.
+    /// The place of the latest question and its run.
     asked: Option<(RunId, u32)>,
     /// The messages, and their run.
     messages: Option<(RunId, Vec<Diagnostic>)>,

@@ -36,7 +36,7 @@ pub struct Hinting {
     words: Vec<Span>,
     /// Whether the question is about the next word.
     is_asked: bool,
-    /// The hints so far.
+    /// The hints that were found.
     pub found: Vec<Hint>,
 }
 

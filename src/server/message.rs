@@ -31,7 +31,7 @@ pub enum Reason {
     InvalidRequest = -32600,
     /// The server has no such method.
     MethodNotFound = -32601,
-    /// The parameters are not those of the method.
+    /// The parameters do not fit the method.
     InvalidParams = -32602,
     /// `initialize` comes first.
     ServerNotInitialized = -32002,

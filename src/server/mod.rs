@@ -107,7 +107,7 @@ impl<H: Host> Server<H> {
         }
     }
 
-    /// Takes a message of the client, and returns the messages that can be sent at once. Never fails: a
+    /// Takes a message of the client, and returns the messages that can be sent immediately. Never fails: a
     /// text that is no message is answered with an error.
     pub fn handle(&mut self, text: &[u8]) -> Vec<String> {
         match message::read(text) {
@@ -163,7 +163,7 @@ impl<H: Host> Server<H> {
         }
     }
 
-    /// Begins a request. Returns its result if it is known at once.
+    /// Begins a request. Returns its result if it is available immediately.
     fn begin(&mut self, id: Id, method: &str, params: Value) -> Result<Option<Value>, Failure> {
         match (self.phase, method) {
             (Phase::New, "initialize") => self.initialize(&params).map(Some),

@@ -28,7 +28,7 @@ pub struct Task {
     pub answer: Answer,
 }
 
-/// A document, and what has to be prepared of it.
+/// A document, and the results that a request needs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Subject {
     /// The document.
@@ -114,7 +114,7 @@ fn parse(method: LspRequestMethod, params: Value) -> Option<Parsed> {
     })
 }
 
-/// A request about one document. `subject`: the document, and what has to be prepared of it.
+/// A request about one document. `subject`: the document, and the results that the request needs.
 fn about<R: Request>(
     params: Value,
     subject: fn(&R::Params) -> (&TextDocumentIdentifier, Need),

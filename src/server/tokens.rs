@@ -11,8 +11,8 @@ use super::message::Failure;
 use crate::source::{Span, after_line_end, line_around, line_end};
 use crate::text::highlight::{TokenClass, highlight};
 
-/// Longest text, bytes, whose tokens are sent all at once. Clients ask for those of the visible lines of a
-/// longer one.
+/// Longest text, bytes, whose tokens are sent in one response. For a longer text, clients request the tokens of the
+/// visible lines.
 pub const MAX_WHOLE: usize = 2 << 20;
 
 /// The token types, in the order of [`TokenClass`].

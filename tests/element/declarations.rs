@@ -11,7 +11,7 @@ pub struct Declaration {
     /// Its comment, in one line; empty if there is none.
     pub doc: String,
     pub kind: Kind,
-    /// The type of a field, or the one that a method returns.
+    /// The type of a field, or the type that a method returns.
     pub of: String,
 }
 

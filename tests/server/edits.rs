@@ -1,4 +1,4 @@
-//! Edits of a document: after any sequence of them, the answers are those about the same text opened anew.
+//! Edits of a document: after any sequence of edits, each answer equals the answer for the same text in a new document.
 
 use serde_json::{Value, json};
 
@@ -79,7 +79,7 @@ fn client() -> Client {
     Client::with_setup(r#"{"dialect": {"decimal": "calculator"}, "limits": {"repeatedBlocks": 1000}}"#)
 }
 
-/// What a client is told about the usual document.
+/// The answers about the usual document.
 fn told(client: &mut Client) -> Value {
     let tokens = client.whole("textDocument/semanticTokens/full");
     let symbols = client.whole("textDocument/documentSymbol");

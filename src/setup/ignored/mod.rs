@@ -26,7 +26,7 @@ const KEY: &str = "RULE";
 pub struct IgnoreComments {
     /// The words of all comments, in text order.
     entries: Vec<Entry>,
-    /// The messages about rules without a message so far.
+    /// Messages about comments that have hidden nothing yet.
     unused: Vec<Diagnostic>,
 }
 

@@ -108,7 +108,7 @@ fn messages_are_hidden_from_the_start_to_the_end_of_a_line() {
     assert_eq!(left(other, &[0, 5]), [0, 5]);
 }
 
-/// After any edit the comments are those of the new text.
+/// After any edit, the comments belong to the new text.
 #[test]
 fn an_edit_gives_the_comments_of_the_new_text() {
     const PIECES: [&str; 8] =

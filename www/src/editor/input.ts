@@ -1,6 +1,6 @@
 // Whether the user has typed a change, or inserted a text.
 //
-// In: the transactions of a change. Out: its input. Must not know: what follows from it.
+// In: the transactions of a change. Out: the kind of input. Must not know: its effects.
 
 import type { Transaction } from '@codemirror/state';
 import type { Input } from './text-store';

@@ -1,6 +1,6 @@
 // The learner's progress in the exercises, kept in the browser.
 //
-// In: the results of checks. Out: what was passed, and with how many hints. Must not know: an exercise.
+// In: the results of checks. Out: the passed exercises, and the number of hints of each. Must not know: an exercise.
 
 /** What is stored about an exercise. */
 export interface ExerciseProgress {

@@ -90,7 +90,7 @@ class ExercisesDialog {
     );
   }
 
-  /** Adds the progress of a file; what was passed in either stays passed. */
+  /** Adds the progress of a file. An exercise that was passed in either is passed. */
   async #importFile(): Promise<void> {
     const file = this.#import.files?.[0];
     this.#import.value = '';

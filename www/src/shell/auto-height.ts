@@ -58,7 +58,7 @@ export class AutoHeight {
     return this.#isConnected && this.#options.host.height === 'auto';
   }
 
-  /** The element settles when it has its height; without the part, it keeps the one that it has. */
+  /** The element settles when it has its height. If the part cannot be loaded, it keeps its current height. */
   async #begin(): Promise<void> {
     const { host, pending } = this.#options;
     pending.add('height');

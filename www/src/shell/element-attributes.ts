@@ -1,7 +1,7 @@
 // The attributes of the element, and the properties of the same names.
 //
-// In: attributes and properties that the page sets. Out: the same as properties and attributes. Must not know: what an
-// attribute does. `www/docs/element.md` describes each of them.
+// In: attributes and properties that the page sets. Out: the same as properties and attributes. Must not know: the
+// effect of an attribute. `www/docs/element.md` describes each of them.
 
 import { languageOf, type Language } from '../dom/language';
 import { parseView, type View } from './layout';

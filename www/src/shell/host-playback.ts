@@ -2,7 +2,7 @@
 //
 // In: that the playback begins or ends, and the position of the tool. Out: the properties `playing` and `readout`, and
 // the events `gcode-play`, `gcode-pause` and `gcode-step`, which report every change, also one by a method of the
-// element, like those of `<video>`. Must not know: how the tool moves.
+// element, as in `<video>`. Must not know: how the tool moves.
 
 import type { Program } from '../editor/program';
 import type { Readout } from '../protocol/protocol';

@@ -1,8 +1,8 @@
 // Keys between the element and the page around it: the keys of the playback also work outside of the elements, and keys
 // that are typed inside do not reach the page.
 //
-// In: the elements in the document, key presses. Out: the key for the element that was used last. Must not know: what a
-// key does.
+// In: the elements in the document, key presses. Out: the key for the element that was used last. Must not know: the
+// effect of a key.
 
 /** An element of the playground. */
 interface KeyTarget extends HTMLElement {

@@ -1,7 +1,7 @@
 // The state of the newest run, as its events report it.
 //
 // In: the events of the newest run, edits, a lost worker. Out: the same events and failures for the panels, the problems
-// for the editor, what the page is told (`checked`, the events `gcode-report` and `gcode-error`), the notice about a
+// for the editor, reports to the page (`checked`, the events `gcode-report` and `gcode-error`), the notice about a
 // rejected setup, the missing parts. Messages about a program that is still being typed are held back (`unfinished`).
 // Must not know: how runs are started.
 
@@ -47,8 +47,8 @@ export class RunReports {
   #checked: Checked | undefined;
   /** Callbacks that wait until the newest run is reported, or has failed. */
   readonly #reportCallbacks: (() => void)[] = [];
-  /** Why the newest setup was rejected, if the page was told. */
-  #toldRejection: string | undefined;
+  /** Reason of the rejection of the newest setup, if the page has received it. */
+  #reportedRejection: string | undefined;
   /** Whether the newest run was reported. */
   #isReported = false;
   /** Whether no run is in progress that would report the current program. */
@@ -107,7 +107,7 @@ export class RunReports {
 
   /** The page or the user has changed the setup. */
   onSetupChanged(): void {
-    this.#toldRejection = undefined;
+    this.#reportedRejection = undefined;
   }
 
   onRunStarted(): void {
@@ -162,16 +162,16 @@ export class RunReports {
     fire<Checked>('gcode-report', this.#checked);
   }
 
-  /** Shows why the setup was rejected; the page is told once. */
+  /** Shows why the setup was rejected, and fires the event once. */
   #showRejection({ setupRejected, stage }: Report): void {
     const { panels, setupError, language, fire } = this.#options;
     const reason = setupError() ?? setupRejected;
     if (reason === undefined) return panels.service('hideNotice')('setup');
     const message = WORDS[language()].setupRejected(reason);
     panels.service('notice')(message, 'setup');
-    if (stage !== 'repeated' && reason !== this.#toldRejection)
+    if (stage !== 'repeated' && reason !== this.#reportedRejection)
       fire<HostError>('gcode-error', { kind: 'setup', reason, message });
-    this.#toldRejection = reason;
+    this.#reportedRejection = reason;
   }
 
   #callBack(): void {
