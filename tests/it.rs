@@ -48,6 +48,7 @@ mod fixes;
 mod formatting;
 mod glossary;
 mod golden;
+mod grade;
 mod ignored;
 mod library;
 mod line_ends;

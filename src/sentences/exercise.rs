@@ -28,8 +28,6 @@ pub enum Label {
     Points,
     /// The same text as another answer.
     SameText,
-    /// The measuring report.
-    Measuring,
     /// A size.
     Size,
     /// A place.
@@ -52,8 +50,6 @@ pub enum Label {
     Passed,
     /// A failed check.
     NotPassed,
-    /// The cause.
-    Cause,
     /// An unknown value.
     Unknown,
 }
@@ -69,7 +65,6 @@ pub fn label(label: Label, language: Language) -> &'static str {
         Label::Codes => ["codes", "代码", "коды"],
         Label::Points => ["points", "得分", "баллы"],
         Label::SameText => ["same text as", "文字相同：", "тот же текст, что в"],
-        Label::Measuring => ["measuring report", "检测报告", "протокол измерений"],
         Label::Size => ["size", "尺寸", "размер"],
         Label::Place => ["place", "位置", "место"],
         Label::Nominal => ["nominal", "公称值", "номинал"],
@@ -81,7 +76,6 @@ pub fn label(label: Label, language: Language) -> &'static str {
         Label::Checks => ["checks", "检查", "проверки"],
         Label::Passed => ["passed", "通过", "выполнено"],
         Label::NotPassed => ["FAILED", "未通过", "НЕ ВЫПОЛНЕНО"],
-        Label::Cause => ["cause", "原因", "причина"],
         Label::Unknown => ["unknown", "未知", "неизвестно"],
     })
 }
