@@ -7,6 +7,7 @@
 
 use std::env;
 use std::path::PathBuf;
+use std::process::Stdio;
 use std::time::{Duration, Instant};
 
 use crate::run::{self, Result, command, pretty, step};
@@ -111,6 +112,10 @@ fn native(setup: &Setup, done: &mut Done) -> Result {
     clippy.args(["clippy", "--target", "wasm32-unknown-unknown", "--lib", "--test", "wasm"]);
     clippy.args(["--", "-D", "warnings"]);
     done.add("wasm lints", step("lints, wasm32", &mut clippy)?);
+    // `--all` compiles the fuzz targets; their lock file changes with each new dependency.
+    let mut fuzz = command("cargo");
+    fuzz.args(["metadata", "--locked", "--format-version", "1", "--manifest-path", "tests/fuzz/Cargo.toml"]);
+    done.add("fuzz lock file", step("the lock file of the fuzz targets", fuzz.stdout(Stdio::null()))?);
     done.add("native tests", step("native tests", command("cargo").args(["test", "--workspace"]))?);
     let mut under_node = setup.command("cargo");
     under_node.args(["test", "--target", "wasm32-unknown-unknown", "--test", "wasm"]);
