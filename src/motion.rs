@@ -50,48 +50,70 @@ impl MotionKind {
     }
 }
 
-/// The canned cycle that made a motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Cycle {
+/// Defines the canned cycles: the number that is stored, the code in G-code system A, the family.
+macro_rules! cycles {
+    ($($(#[$doc:meta])* $cycle:ident = $number:literal, $code:literal, $family:ident;)+) => {
+        /// The canned cycle that made a motion.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[repr(u8)]
+        pub enum Cycle { $($(#[$doc])* $cycle = $number),+ }
+
+        impl Cycle {
+            /// All of them, in the order of their numbers, which begin at 1.
+            const ALL: &[Cycle] = &[$(Self::$cycle),+];
+
+            /// The family of the cycle.
+            pub fn family(self) -> CycleFamily {
+                match self { $(Self::$cycle => CycleFamily::$family),+ }
+            }
+
+            /// Its code in G-code system A.
+            pub fn code(self) -> &'static str {
+                match self { $(Self::$cycle => $code),+ }
+            }
+        }
+    };
+}
+
+cycles! {
     /// Turning cycle, G90.
-    Turning = 1,
+    Turning = 1, "G90", Turning;
     /// Thread cycle, G92.
-    Threading = 2,
+    Threading = 2, "G92", Threading;
     /// Facing cycle, G94.
-    Facing = 3,
+    Facing = 3, "G94", Turning;
     /// Finishing along the contour, G70.
-    Finishing = 4,
+    Finishing = 4, "G70", Contour;
     /// Rough turning, G71.
-    RoughTurning = 5,
+    RoughTurning = 5, "G71", Contour;
     /// Rough facing, G72.
-    RoughFacing = 6,
+    RoughFacing = 6, "G72", Contour;
     /// Pattern repeating, G73.
-    Pattern = 7,
+    Pattern = 7, "G73", Contour;
     /// Pecking along Z, G74.
-    FacePecking = 8,
+    FacePecking = 8, "G74", Pecking;
     /// Grooving along X, G75.
-    Grooving = 9,
+    Grooving = 9, "G75", Pecking;
     /// Thread in many passes, G76.
-    MultiThreading = 10,
+    MultiThreading = 10, "G76", Threading;
     /// Drilling, G81 of some controls.
-    Drilling = 11,
+    Drilling = 11, "G81", FaceHole;
     /// Counterboring, G82 of some controls.
-    CounterBoring = 12,
+    CounterBoring = 12, "G82", FaceHole;
     /// Drilling into the face, G83.
-    FaceDrilling = 13,
+    FaceDrilling = 13, "G83", FaceHole;
     /// Tapping into the face, G84.
-    FaceTapping = 14,
+    FaceTapping = 14, "G84", FaceHole;
     /// Boring into the face, G85.
-    FaceBoring = 15,
+    FaceBoring = 15, "G85", FaceHole;
     /// Boring with a stopped spindle, G86 of some controls.
-    BoringStop = 16,
+    BoringStop = 16, "G86", FaceHole;
     /// Drilling into the side, G87.
-    SideDrilling = 17,
+    SideDrilling = 17, "G87", SideHole;
     /// Tapping into the side, G88.
-    SideTapping = 18,
+    SideTapping = 18, "G88", SideHole;
     /// Boring into the side, G89.
-    SideBoring = 19,
+    SideBoring = 19, "G89", SideHole;
 }
 
 /// Cycles grouped by the kind of work, for code that does not need the exact cycle.
@@ -109,72 +131,6 @@ pub enum CycleFamily {
     FaceHole,
     /// A hole in the side: G87 to G89.
     SideHole,
-}
-
-impl Cycle {
-    /// The family of the cycle.
-    pub fn family(self) -> CycleFamily {
-        match self {
-            Self::Turning | Self::Facing => CycleFamily::Turning,
-            Self::Threading | Self::MultiThreading => CycleFamily::Threading,
-            Self::Finishing | Self::RoughTurning | Self::RoughFacing | Self::Pattern => CycleFamily::Contour,
-            Self::FacePecking | Self::Grooving => CycleFamily::Pecking,
-            Self::Drilling
-            | Self::CounterBoring
-            | Self::FaceDrilling
-            | Self::FaceTapping
-            | Self::FaceBoring
-            | Self::BoringStop => CycleFamily::FaceHole,
-            Self::SideDrilling | Self::SideTapping | Self::SideBoring => CycleFamily::SideHole,
-        }
-    }
-
-    /// Its code in G-code system A.
-    pub fn code(self) -> &'static str {
-        match self {
-            Self::Turning => "G90",
-            Self::Threading => "G92",
-            Self::Facing => "G94",
-            Self::Finishing => "G70",
-            Self::RoughTurning => "G71",
-            Self::RoughFacing => "G72",
-            Self::Pattern => "G73",
-            Self::FacePecking => "G74",
-            Self::Grooving => "G75",
-            Self::MultiThreading => "G76",
-            Self::Drilling => "G81",
-            Self::CounterBoring => "G82",
-            Self::FaceDrilling => "G83",
-            Self::FaceTapping => "G84",
-            Self::FaceBoring => "G85",
-            Self::BoringStop => "G86",
-            Self::SideDrilling => "G87",
-            Self::SideTapping => "G88",
-            Self::SideBoring => "G89",
-        }
-    }
-
-    const ALL: [Cycle; 19] = [
-        Self::Turning,
-        Self::Threading,
-        Self::Facing,
-        Self::Finishing,
-        Self::RoughTurning,
-        Self::RoughFacing,
-        Self::Pattern,
-        Self::FacePecking,
-        Self::Grooving,
-        Self::MultiThreading,
-        Self::Drilling,
-        Self::CounterBoring,
-        Self::FaceDrilling,
-        Self::FaceTapping,
-        Self::FaceBoring,
-        Self::BoringStop,
-        Self::SideDrilling,
-        Self::SideTapping,
-        Self::SideBoring,
-    ];
 }
 
 /// The step of a cycle that a motion belongs to.

@@ -6,6 +6,7 @@
 use super::Query;
 use super::fact::Quantity;
 use super::place::{Place, as_programmed, is_clockwise, own_motions};
+use crate::cycles::single::cuts_along_x;
 use crate::geometry::virtual_plane::{VirtualMove, Way};
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleFamily, Feed, Motion, MotionKind, Motions, Step};
@@ -205,7 +206,7 @@ fn of_cycle(cycle: Cycle, motions: &[Motion], start: Point) -> Vec<Action> {
             )],
         };
     };
-    let facing = matches!(cycle, Cycle::Facing | Cycle::RoughFacing);
+    let facing = cuts_along_x(cycle);
     let at = |point: Point| {
         if facing { Quantity::Length(point.z) } else { Quantity::Diameter(Diameter::from_radius(point.x)) }
     };

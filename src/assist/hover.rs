@@ -17,7 +17,6 @@ use crate::control::origins::{Modal, Origins};
 use crate::control::program::{Labels, program_and_repeats};
 use crate::control::tool_offset;
 use crate::control::words::{Reading, plain};
-use crate::cycles::single::Single;
 use crate::cycles::units::{self, Amount, Written};
 use crate::geometry::virtual_plane::Surface;
 use crate::geometry::{Point, SAME};
@@ -529,10 +528,8 @@ impl<'a> Query<'a> {
             facts.extend(code.map(|code| Fact::ByCode(code, visit.before.origins.since(Modal::Motion))));
         }
         let cuts = match form {
-            Form::Motion { mode, .. } => matches!(
-                mode,
-                MotionMode::Line | MotionMode::Arc(_) | MotionMode::Cycle(Single::Turning | Single::Facing)
-            ),
+            Form::Motion { mode: MotionMode::Line | MotionMode::Arc(_), .. } => true,
+            Form::Motion { mode: MotionMode::Cycle(cycle), .. } => !cycle.is_thread(),
             Form::Multiple(_, CycleBlock::Second | CycleBlock::Whole) | Form::Hole { .. } => true,
             _ => false,
         };
@@ -743,7 +740,7 @@ pub(super) fn cuts_thread(code: G) -> bool {
     match code {
         G::Motion(mode) => match mode {
             MotionMode::Thread | MotionMode::VariableThread | MotionMode::Tapping => true,
-            MotionMode::Cycle(cycle) => cycle == Single::Threading,
+            MotionMode::Cycle(cycle) => cycle.is_thread(),
             MotionMode::Rapid | MotionMode::Line | MotionMode::Arc(_) => false,
         },
         G::Multiple(cycle) => cycle == Multiple::Threading,

@@ -54,26 +54,29 @@ pub enum Snippet {
 }
 
 impl Snippet {
-    /// All snippets except the second blocks.
-    pub const ALL: &[Self] = &[
-        Self::Cycle(Multiple::RoughTurning),
-        Self::Cycle(Multiple::RoughFacing),
-        Self::Cycle(Multiple::Pattern),
-        Self::Cycle(Multiple::Threading),
-        Self::Cycle(Multiple::Grooving),
-        Self::Cycle(Multiple::FacePecking),
-        Self::Pass(Single::Turning),
-        Self::Pass(Single::Facing),
-        Self::Pass(Single::Threading),
-        Self::Drilling,
-        Self::Call,
-        Self::Subprogram,
-        Self::MacroCall,
-        Self::Loop,
-        Self::Condition,
-        Self::End,
-        Self::Head,
-    ];
+    /// All snippets except the second blocks, in the order of the list.
+    pub fn all() -> impl Iterator<Item = Self> {
+        const CYCLES: [Multiple; 6] = [
+            Multiple::RoughTurning,
+            Multiple::RoughFacing,
+            Multiple::Pattern,
+            Multiple::Threading,
+            Multiple::Grooving,
+            Multiple::FacePecking,
+        ];
+        const OTHERS: [Snippet; 8] = [
+            Snippet::Drilling,
+            Snippet::Call,
+            Snippet::Subprogram,
+            Snippet::MacroCall,
+            Snippet::Loop,
+            Snippet::Condition,
+            Snippet::End,
+            Snippet::Head,
+        ];
+        let passes = Single::ALL.iter().copied().map(Self::Pass);
+        CYCLES.into_iter().map(Self::Cycle).chain(passes).chain(OTHERS)
+    }
 
     /// The code of the snippet; `None` for heads, ends and statements.
     pub fn code(self) -> Option<G> {

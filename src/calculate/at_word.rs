@@ -12,7 +12,6 @@ use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::{G, MotionMode, Multiple};
 use crate::control::modal::State;
 use crate::control::words::quote;
-use crate::cycles::single::Single;
 use crate::geometry::SAME;
 use crate::motion::Motions;
 use crate::run::replay::block_at;
@@ -41,10 +40,8 @@ pub fn calculators(asked: &Query, byte: u32, motions: &Motions) -> &'static [&'s
     // The worked formulas of speeds are metric.
     let is_metric = visit.after.state.unit == Unit::Millimetre;
     match (Form::of(asked.block, &visit.before.state, asked.codes), role) {
-        (Form::Motion { mode: MotionMode::Cycle(Single::Turning | Single::Threading), .. }, Role::TaperX) => {
-            &["r-of-g90"]
-        }
-        (Form::Motion { mode: MotionMode::Cycle(Single::Facing), .. }, Role::TaperZ) => &["r-of-g94"],
+        (Form::Motion { mode: MotionMode::Cycle(_), .. }, Role::TaperX) => &["r-of-g90"],
+        (Form::Motion { mode: MotionMode::Cycle(_), .. }, Role::TaperZ) => &["r-of-g94"],
         (
             Form::Multiple(Multiple::Threading, CycleBlock::First),
             Role::LeastDepth | Role::ThreadAllowance,

@@ -426,7 +426,7 @@ fn values(state: &State) -> [u64; MODALS] {
 }
 
 fn motion(mode: MotionMode) -> u64 {
-    u64::from(mode.number())
+    u64::from(mode.key())
 }
 
 fn optional(value: Option<f64>) -> u64 {

@@ -11,26 +11,65 @@ use super::{Move, sign};
 use crate::geometry::Point;
 use crate::motion::{Cycle, MotionKind, Step};
 
-/// One of the single cycles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Single {
+/// Defines the single cycles, in the order of the snippets: the name of the [`Cycle`], and the work.
+macro_rules! singles {
+    ($($(#[$doc:meta])* $single:ident = $work:ident;)+) => {
+        /// One of the single cycles.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Single { $($(#[$doc])* $single),+ }
+
+        impl Single {
+            /// All of them.
+            pub const ALL: &[Self] = &[$(Self::$single),+];
+
+            /// The cycle of the motions.
+            pub fn cycle(self) -> Cycle {
+                match self { $(Self::$single => Cycle::$single),+ }
+            }
+
+            /// Its work.
+            pub fn work(self) -> Work {
+                match self { $(Self::$single => Work::$work),+ }
+            }
+        }
+    };
+}
+
+singles! {
     /// G90.
-    Turning,
-    /// G92.
-    Threading,
+    Turning = Turning;
     /// G94.
+    Facing = Facing;
+    /// G92.
+    Threading = Threading;
+}
+
+/// The work of a single cycle, for code that does not need the exact cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Work {
+    /// A cut along Z.
+    Turning,
+    /// A thread along Z.
+    Threading,
+    /// A cut along X.
     Facing,
 }
 
 impl Single {
-    /// The cycle of the motions.
-    pub fn cycle(self) -> Cycle {
-        match self {
-            Self::Turning => Cycle::Turning,
-            Self::Threading => Cycle::Threading,
-            Self::Facing => Cycle::Facing,
-        }
+    /// The single cycle of a motion, if the motion belongs to one.
+    pub fn of(cycle: Cycle) -> Option<Self> {
+        Self::ALL.iter().copied().find(|single| single.cycle() == cycle)
     }
+
+    /// Whether it cuts a thread.
+    pub fn is_thread(self) -> bool {
+        self.work() == Work::Threading
+    }
+}
+
+/// Whether the cuts of a cycle go along X.
+pub fn cuts_along_x(cycle: Cycle) -> bool {
+    cycle == Cycle::RoughFacing || Single::of(cycle).is_some_and(|single| single.work() == Work::Facing)
 }
 
 fn step(kind: MotionKind, step: Step, x: f64, z: f64) -> Move {

@@ -14,10 +14,11 @@ use super::quantity::Measured;
 use super::shape::Shape;
 use super::target::Target;
 use crate::control::words::{plain, with_other_sign};
+use crate::cycles::single::{Single, cuts_along_x};
 use crate::geometry::{Point, SAME};
 use crate::message::applied;
 use crate::message::{Diagnostic, Edit};
-use crate::motion::{Cycle, Motion, Step};
+use crate::motion::{Motion, Step};
 use crate::order;
 use crate::source::Span;
 use crate::text::block::{Value, Word};
@@ -165,10 +166,8 @@ impl Words {
             let words = block.words.iter().filter(|word| b"XUZWRIK".contains(&word.address) && !word.comma);
             let cut = cuts.get(&block.span.start).copied();
             all.extend(words.filter_map(|&word| {
-                let is_single = cut.is_some_and(|cut| {
-                    let cycle = cut.cycle.map(|tag| tag.cycle);
-                    matches!(cycle, Some(Cycle::Turning | Cycle::Facing | Cycle::Threading))
-                });
+                let is_single =
+                    cut.is_some_and(|cut| cut.cycle.is_some_and(|tag| Single::of(tag.cycle).is_some()));
                 Some(Own {
                     written: word.span.quote(&answer.text),
                     value: plain(&word)?,
@@ -238,7 +237,7 @@ impl Own {
     fn taper_from_drawing(&self, cone: [Point; 2], begin: Point) -> Option<(Slip, Edit)> {
         let cut = self.cut?;
         let [a, b] = cone;
-        let is_facing = cut.cycle.is_some_and(|tag| tag.cycle == Cycle::Facing);
+        let is_facing = cut.cycle.is_some_and(|tag| cuts_along_x(tag.cycle));
         let (slope, axis, from, start, end) = match is_facing {
             true => ((b.z - a.z) / (b.x - a.x), 'X', begin.x, cut.from.x, cut.to.x),
             false => ((b.x - a.x) / (b.z - a.z), 'Z', begin.z, cut.from.z, cut.to.z),

@@ -9,9 +9,10 @@ use std::ops::Range;
 use super::NUMBERS;
 use crate::assist::Query;
 use crate::control::contour::Landmarks;
+use crate::cycles::single::{Single, Work, cuts_along_x};
 use crate::cycles::threading::{LEAD_ERROR, run_in, run_out};
 use crate::geometry::{Point, at_share};
-use crate::motion::{Cycle, Motion, Motions, SpindleSpeed, Step};
+use crate::motion::{Cycle, CycleFamily, Motion, Motions, SpindleSpeed, Step};
 use crate::scene::annotation::{Annotation, Importance, Measure, Shape};
 use crate::setup::Stock;
 use crate::source::Span;
@@ -64,7 +65,7 @@ impl Call {
         let passes = || self.steps(Step::Contour).map(pass_of);
         let contour = |pass: Option<u32>| self.longest_of(pass?);
         match self.cycle {
-            Cycle::Turning | Cycle::Facing | Cycle::Threading => {
+            cycle if Single::of(cycle).is_some() => {
                 [Step::Infeed, Step::Cut, Step::Retract, Step::Return].map(step).to_vec()
             }
             Cycle::RoughTurning | Cycle::RoughFacing => {
@@ -102,8 +103,8 @@ impl Call {
         let start = self.own[0].from;
         let mut points = vec![(start, "A")];
         match self.cycle {
-            Cycle::Turning | Cycle::Facing | Cycle::Threading => {
-                let [end, out] = if self.cycle == Cycle::Facing { ["E", "F"] } else { ["C", "D"] };
+            cycle if Single::of(cycle).is_some() => {
+                let [end, out] = if cuts_along_x(cycle) { ["E", "F"] } else { ["C", "D"] };
                 points.extend(step(Step::Cut).map(|cut| (cut.from, "B")));
                 points.extend(step(Step::Cut).map(|cut| (cut.to, end)));
                 // A pull-out may end at the height of the start.
@@ -167,7 +168,7 @@ impl Call {
     /// relief with the allowance. `all`: the annotations of the block, which may have them already.
     pub fn distances(&self, all: &[Annotation]) -> Vec<Annotation> {
         let (names, end) = match self.cycle {
-            Cycle::Turning | Cycle::Facing | Cycle::Threading => (["U/2", "W"], self.step(Step::Cut)),
+            cycle if Single::of(cycle).is_some() => (["U/2", "W"], self.step(Step::Cut)),
             Cycle::MultiThreading => (["U/2", "W"], self.last(Step::Cut)),
             Cycle::Pattern => (["Δi + Δu/2", "Δk + Δw"], self.step(Step::Approach)),
             _ => return Vec::new(),
@@ -198,16 +199,17 @@ impl Call {
         if x.abs() < SAME_DEPTH || z.abs() < SAME_DEPTH {
             return Vec::new();
         }
-        let share = match self.cycle {
-            Cycle::Facing => stock().map(|stock| (stock.diameter.radius() - cut.from.x) / x),
-            Cycle::Turning => stock().map(|stock| (stock.face - cut.from.z) / z),
+        let work = Single::of(self.cycle).map(Single::work);
+        let share = match work {
+            Some(Work::Facing) => stock().map(|stock| (stock.diameter.radius() - cut.from.x) / x),
+            Some(Work::Turning) => stock().map(|stock| (stock.face - cut.from.z) / z),
             _ => None,
         };
         let share = share.filter(|share| (SAME_DEPTH..1.0 - SAME_DEPTH).contains(share));
         let Some(at) = share.map(|share| at_share([cut.from, cut.to], share)) else { return Vec::new() };
         let diameter = Measure::Diameter(Diameter::from_radius(at.x).mm());
         let mut all = vec![Annotation::dimension(Shape::Diameter(at), "", diameter)];
-        if self.cycle == Cycle::Facing {
+        if work == Some(Work::Facing) {
             let from_zero = Shape::Axial([Point::new(at.x, 0.0), at]);
             all.push(Annotation::point(at, "C"));
             all.push(Annotation::dimension(from_zero, "", Measure::Coordinate('Z', at.z)));
@@ -219,7 +221,9 @@ impl Call {
     /// The run-in δ1 and the run-out δ2 that a thread of G92 needs at a constant speed, and its pull-out r. With a
     /// pull-out there is no run-out. `all`: the annotations of the block, which may have the pull-out already.
     pub fn ends_of_thread(&self, all: &[Annotation]) -> Vec<Annotation> {
-        let Some(cut) = self.step(Step::Cut).filter(|_| self.cycle == Cycle::Threading) else {
+        let Some(cut) =
+            self.step(Step::Cut).filter(|_| Single::of(self.cycle).is_some_and(Single::is_thread))
+        else {
             return Vec::new();
         };
         let length = (cut.to.z - cut.from.z).abs();
@@ -266,8 +270,7 @@ impl Call {
 
 /// The programmed end of a cut. A thread is left before it; `z`: the Z of its end.
 fn programmed_end(cut: &Motion, z: Option<f64>) -> Point {
-    let is_thread =
-        cut.cycle.is_some_and(|step| matches!(step.cycle, Cycle::Threading | Cycle::MultiThreading));
+    let is_thread = cut.cycle.is_some_and(|step| step.cycle.family() == CycleFamily::Threading);
     let length = cut.to.z - cut.from.z;
     match z.filter(|_| is_thread && length.abs() > SAME_DEPTH) {
         Some(z) => at_share([cut.from, cut.to], (z - cut.from.z) / length),

@@ -8,7 +8,7 @@ use crate::control::compensation::Axis;
 use crate::control::events::{EventContext, SinglePass};
 use crate::control::modal::Target;
 use crate::control::words::{Words, after_letter, letters, plain, quote};
-use crate::cycles::single::{self, Single};
+use crate::cycles::single::{self, Single, Work};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, said};
 use crate::setup::Stock;
@@ -41,8 +41,8 @@ impl DeepestPass {
     /// Whether everything that the pass removes was removed by `other` already.
     fn is_within(&self, other: &Self, cycle: Single) -> bool {
         // Along the cut, and into the workpiece.
-        let axes = |point: Point| match cycle {
-            Single::Facing => (point.x, point.z),
+        let axes = |point: Point| match cycle.work() {
+            Work::Facing => (point.x, point.z),
             _ => (point.z, point.x),
         };
         let ways = |pass: &Self| {
@@ -195,7 +195,7 @@ impl SingleCycles {
             self.last_taper = None;
         }
         self.series_ends(at, reports);
-        let way = if cycle == Single::Facing { end.z - start.z } else { end.x - start.x };
+        let way = if cycle.work() == Work::Facing { end.z - start.z } else { end.x - start.x };
         // A cut that begins beyond the start point is reported elsewhere.
         self.last_taper =
             Some(own).filter(|own| own.taper != 0.0 && !single::begins_beyond_start(way, own.taper));
@@ -228,9 +228,9 @@ impl SingleCycles {
             let depth = (10.0 * depth).round() / 10.0;
             reports.push(Diagnostic::new(said::TaperEdge { depth }, block.words_span()));
         }
-        let moved = match cycle {
-            Single::Facing => [b'Z', b'W'],
-            Single::Turning | Single::Threading => [b'X', b'U'],
+        let moved = match cycle.work() {
+            Work::Facing => [b'Z', b'W'],
+            Work::Turning | Work::Threading => [b'X', b'U'],
         };
         let own_word = moved.into_iter().find(|&address| words.peek(address).is_some());
         let place = b"XUZW".iter().find_map(|&address| words.peek(own_word.unwrap_or(address)));
@@ -260,7 +260,7 @@ impl SingleCycles {
         {
             reports.push(Diagnostic::new(message, block.words_span()));
         }
-        if cycle != Single::Threading {
+        if cycle.work() != Work::Threading {
             self.deepest = Some(deeper(cycle, own, before));
         }
     }
@@ -275,7 +275,7 @@ impl SingleCycles {
         span: Option<Span>,
     ) -> Option<Span> {
         let repeated = self.repeated.take();
-        let before = before.filter(|_| cycle != Single::Threading)?;
+        let before = before.filter(|_| cycle.work() != Work::Threading)?;
         let (is_within, contains) = (own.is_within(before, cycle), before.is_within(own, cycle));
         self.repeated = span.filter(|_| is_within && contains);
         match (is_within, contains) {
@@ -332,19 +332,19 @@ fn pass_not_deeper(
 ) -> Option<impl FnOnce(String) -> Message> {
     let same = own.start.distance(before.start) <= LENGTH_TOLERANCE
         && (own.taper - before.taper).abs() <= LENGTH_TOLERANCE;
-    let (deep, other, deepest) = match cycle {
-        Single::Turning => {
+    let (deep, other, deepest) = match cycle.work() {
+        Work::Turning => {
             let deep = own.end.x - before.end.x;
             (deep, (own.end.z - before.end.z).abs(), Diameter::from_radius(before.end.x).mm())
         }
-        Single::Facing => (own.end.z - before.end.z, (own.end.x - before.end.x).abs(), before.end.z),
-        Single::Threading => return None,
+        Work::Facing => (own.end.z - before.end.z, (own.end.x - before.end.x).abs(), before.end.z),
+        Work::Threading => return None,
     };
-    let axis = if cycle == Single::Facing { 'Z' } else { 'X' };
+    let axis = if cycle.work() == Work::Facing { 'Z' } else { 'X' };
     // The direction of the infeed, if both ends of the cut are on the same side of the start.
     let side = |pass: &DeepestPass| {
-        let infeed = match cycle {
-            Single::Facing => pass.end.z - pass.start.z,
+        let infeed = match cycle.work() {
+            Work::Facing => pass.end.z - pass.start.z,
             _ => pass.end.x - pass.start.x,
         };
         let ends = [infeed, infeed + pass.taper];
@@ -365,7 +365,7 @@ fn edge_depth(
     face: Option<f64>,
     first: bool,
 ) -> Option<f64> {
-    let outside = cycle == Single::Turning
+    let outside = cycle.work() == Work::Turning
         && own.taper < -LENGTH_TOLERANCE
         && own.end.x <= own.start.x + LENGTH_TOLERANCE;
     // The cut begins in front of the face.
@@ -391,13 +391,13 @@ fn too_deep(
     before: &DeepestPass,
     stock: Option<&Stock>,
 ) -> Option<Message> {
-    let way = match cycle {
-        Single::Turning => before.end.x - own.end.x,
-        Single::Facing => before.end.z - own.end.z,
-        Single::Threading => return None,
+    let way = match cycle.work() {
+        Work::Turning => before.end.x - own.end.x,
+        Work::Facing => before.end.z - own.end.z,
+        Work::Threading => return None,
     };
-    let inward = match cycle {
-        Single::Facing => own.start.z - own.end.z,
+    let inward = match cycle.work() {
+        Work::Facing => own.start.z - own.end.z,
         _ => own.start.x - own.end.x,
     };
     let depth = way * inward.signum();
@@ -418,15 +418,15 @@ fn far_start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message>
     let outside = own.end.x < own.start.x;
     let far_x = own.start.x - radius.max(own.end.x);
     // The end of a taper may be at the surface of the blank, or in front of it.
-    let (x, z) = match cycle {
-        Single::Facing => (own.end.x, own.end.z + own.taper.min(0.0)),
-        Single::Turning | Single::Threading => (own.end.x + own.taper.min(0.0), own.end.z),
+    let (x, z) = match cycle.work() {
+        Work::Facing => (own.end.x, own.end.z + own.taper.min(0.0)),
+        Work::Turning | Work::Threading => (own.end.x + own.taper.min(0.0), own.end.z),
     };
     if outside && far_x > MAX_START_DISTANCE && x < radius {
         return Some(said::AirCut { axis: 'X', distance: far_x }.into());
     }
     let far_z = own.start.z - stock.face.max(own.end.z);
-    if cycle != Single::Threading && far_z > MAX_START_DISTANCE && z < stock.face {
+    if cycle.work() != Work::Threading && far_z > MAX_START_DISTANCE && z < stock.face {
         return Some(said::AirCut { axis: 'Z', distance: far_z }.into());
     }
     None

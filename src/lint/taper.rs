@@ -5,7 +5,7 @@
 
 use crate::control::events::EventContext;
 use crate::control::words::{Words, with_other_sign};
-use crate::cycles::single::{self, Single};
+use crate::cycles::single::{self, Single, Work};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::setup::Stock;
@@ -72,15 +72,15 @@ fn taper_not_extended(
         return None;
     }
     // `wanted`: start of the cut; `part`: share of the cut between its end and the surface of the blank.
-    let (wanted, part, scale, base, axis) = match cycle {
-        Single::Facing => {
+    let (wanted, part, scale, base, axis) = match cycle.work() {
+        Work::Facing => {
             let surface = stock.diameter.radius();
             if start.x <= surface + LENGTH_TOLERANCE || end.x >= surface - LENGTH_TOLERANCE {
                 return None;
             }
             (end.z + taper, (surface - end.x) / (start.x - end.x), 1.0, end.z, 'Z')
         }
-        Single::Turning => {
+        Work::Turning => {
             // A Z with a digit too many is reported separately: the taper is a consequence.
             let is_beyond = end.z < stock.back() - MAX_OVERRUN;
             if start.z <= stock.face + LENGTH_TOLERANCE || end.z >= stock.face - LENGTH_TOLERANCE || is_beyond
@@ -91,12 +91,12 @@ fn taper_not_extended(
             let part = (stock.face - end.z) / (start.z - end.z);
             (diameter(end.x + taper), part, diameter(1.0), diameter(end.x), 'X')
         }
-        Single::Threading => return None,
+        Work::Threading => return None,
     };
     let crossing = base + scale * taper * part;
     // The drawing may count from Z0 although the blank is slightly longer.
-    let at_zero = match cycle {
-        Single::Turning if start.z > 0.0 && end.z < 0.0 => {
+    let at_zero = match cycle.work() {
+        Work::Turning if start.z > 0.0 && end.z < 0.0 => {
             Some(base + scale * taper * (-end.z / (start.z - end.z)))
         }
         _ => None,
@@ -104,9 +104,9 @@ fn taper_not_extended(
     let fits_drawing = is_tenth(crossing) || at_zero.is_some_and(is_tenth);
     let coarse = is_round(wanted) && !is_round(crossing);
     let fine = is_tenth(wanted) && !fits_drawing;
-    let (height, length) = match cycle {
-        Single::Facing => (end.x - start.x, taper),
-        Single::Turning | Single::Threading => (taper, end.z - start.z),
+    let (height, length) = match cycle.work() {
+        Work::Facing => (end.x - start.x, taper),
+        Work::Turning | Work::Threading => (taper, end.z - start.z),
     };
     let other = is_hundredth(crossing) || is_usual_cone((height / length).abs());
     let reading = if other { Reading::OrForStartPoint } else { Reading::HeightOnDrawing };
@@ -157,7 +157,7 @@ fn odd_shape(
     word: &str,
     stock: Option<Stock>,
 ) -> Option<Message> {
-    if cycle == Single::Facing || taper == 0.0 || end.z >= start.z {
+    if cycle.work() == Work::Facing || taper == 0.0 || end.z >= start.z {
         return None;
     }
     // A cut that begins beyond the start point is reported elsewhere.

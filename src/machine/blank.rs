@@ -171,7 +171,7 @@ impl Reach {
             self.approach = self.approach.max(from.x);
         }
         // While it pulls out of the thread, the tool is in the air.
-        if let Some((Cycle::Threading | Cycle::MultiThreading, Step::PullOut)) = step {
+        if let Some((_, Step::PullOut)) = step {
             return;
         }
         // A tap on the axis has no crest.

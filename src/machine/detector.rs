@@ -13,8 +13,9 @@ use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use super::sweep::{Outline, path_of};
 use super::tip_place::{Route, TipPlace};
 use super::tool::{Action, Solid};
+use crate::cycles::single::cuts_along_x;
 use crate::geometry::{Point, SAME};
-use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions, Quill, Step};
+use crate::motion::{CycleFamily, Motion, MotionKind, Motions, Quill, Step};
 use crate::setup::{Blank, Setup, Stock, Tailstock, ToolKind, Travel};
 use crate::units::Diameter;
 
@@ -286,7 +287,7 @@ impl DangerDetector {
     fn cycle_start(&mut self, index: usize, motion: &Motion, part: &mut Part) -> bool {
         let Some(tag) = motion.cycle else { return false };
         let facing = match tag.cycle.family() {
-            CycleFamily::Turning => tag.cycle == Cycle::Facing,
+            CycleFamily::Turning => cuts_along_x(tag.cycle),
             CycleFamily::Threading => false,
             CycleFamily::Contour | CycleFamily::Pecking | CycleFamily::FaceHole | CycleFamily::SideHole => {
                 return false;
@@ -295,7 +296,7 @@ impl DangerDetector {
         match tag.step {
             Step::Infeed => {
                 self.pass_start = Some(motion.from);
-                if tag.cycle == Cycle::Turning || facing {
+                if tag.cycle.family() == CycleFamily::Turning {
                     return false;
                 }
                 if tag.pass == 1 {

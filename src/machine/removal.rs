@@ -12,6 +12,7 @@ use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use super::thread_depth::{Threads, UnusualDepth};
 use super::thread_run_out::{RunOuts, ShortRunOut};
 use super::tool::Action;
+use crate::cycles::single::cuts_along_x;
 use crate::geometry::Point;
 use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions, StopKind};
 use crate::setup::stock::deepest_cut;
@@ -244,7 +245,7 @@ impl RemovalWatch {
         let Some(Call { cycle, first: Some((first, block)), takes, back, .. }) = self.call.take() else {
             return;
         };
-        let faces = matches!(cycle, Cycle::Facing | Cycle::RoughFacing);
+        let faces = cuts_along_x(cycle);
         if takes || faces && self.is_just_in_front(back) {
             self.done.insert(block);
         } else if self.done.insert(block) {
@@ -336,7 +337,7 @@ fn too_deep(stock: &Stock, motion: &Motion, tool: &ResolvedTool, part: &mut Part
     let (dx, dz) = ((to.x - from.x).abs(), (to.z - from.z).abs());
     let is_across = dx > dz;
     let cycle = motion.cycle.map(|tag| tag.cycle);
-    let faces = matches!(cycle, Some(Cycle::Facing | Cycle::RoughFacing));
+    let faces = cycle.is_some_and(cuts_along_x);
     if motion.kind != MotionKind::Feed || is_across && !faces {
         return None;
     }

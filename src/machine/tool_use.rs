@@ -10,6 +10,7 @@ use super::evidence::Evidence;
 use super::finishing::Finishings;
 use super::tool::BLADE;
 use crate::cycles::drilling::OFF_CENTER;
+use crate::cycles::single::cuts_along_x;
 use crate::geometry::SAME;
 use crate::motion::{Cycle, CycleFamily, Feed, Motion, MotionKind, SpindleTurn};
 use crate::setup::stock::deepest_cut;
@@ -446,7 +447,7 @@ impl ToolUse {
             self.front = self.front.max(motion.to.z);
         }
         self.down += u32::from(dz > SAME && dx < -SAME);
-        self.faces |= matches!(cycle, Some(Cycle::Facing | Cycle::RoughFacing));
+        self.faces |= cycle.is_some_and(cuts_along_x);
         let goes_along = dx.abs() <= SAME && dz < -SAME && motion.to.z < -SAME;
         let goes_in_next = next.is_some_and(|next| {
             let (dx, dz) = way(next);

@@ -4,7 +4,7 @@
 
 use super::SAME;
 use super::places::Move;
-use crate::cycles::single::Single;
+use crate::cycles::single::{Single, Work};
 use crate::geometry::Point;
 use crate::motion::{Motion, MotionKind};
 
@@ -59,9 +59,9 @@ fn pass_of(moves: &[Move]) -> Option<Pass> {
         (MotionKind::Thread, MotionKind::Rapid) if turning => Single::Threading,
         _ => return None,
     };
-    let taper = match single {
-        Single::Turning | Single::Threading => cut.from.x - cut.to.x,
-        Single::Facing => cut.from.z - cut.to.z,
+    let taper = match single.work() {
+        Work::Turning | Work::Threading => cut.from.x - cut.to.x,
+        Work::Facing => cut.from.z - cut.to.z,
     };
     let taper = if level(taper, 0.0) { 0.0 } else { taper };
     Some(Pass { single, start, end: cut.to, taper })

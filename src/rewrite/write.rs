@@ -8,7 +8,7 @@ use super::places::{Move, Places, ends_program, g, is_plain};
 use super::shape::{Pass, level};
 use crate::control::codes::{self, G, MotionMode};
 use crate::control::words::{Reading, plain, quote};
-use crate::cycles::single::Single;
+use crate::cycles::single::{Single, Work};
 use crate::message::Edit;
 use crate::run::Analysis;
 use crate::setup::dialect::DecimalRule;
@@ -100,10 +100,10 @@ impl Writer<'_> {
         let (x, z) = (differs(|pass| pass.end.x), differs(|pass| pass.end.z));
         // A repeated pass at the same depth still needs a word.
         let again = before.is_some() && !x && !z;
-        if x || (again && pass.single != Single::Facing) {
+        if x || (again && pass.single.work() != Work::Facing) {
             words.push(self.axis_word(moves, blocks, b"XU", (pass.start.x, pass.end.x), style));
         }
-        if z || (again && pass.single == Single::Facing) {
+        if z || (again && pass.single.work() == Work::Facing) {
             words.push(self.axis_word(moves, blocks, b"ZW", (pass.start.z, pass.end.z), style));
         }
         if before.map_or(pass.taper != 0.0, |before| !level(before.taper, pass.taper)) {

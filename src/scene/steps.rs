@@ -6,8 +6,9 @@
 use std::ops::Range;
 
 use super::camera::{Camera, Pixel};
+use crate::cycles::single::Single;
 use crate::geometry::Point;
-use crate::motion::{Cycle, CycleStep, Motion, Motions, Step};
+use crate::motion::{CycleStep, Motion, MotionKind, Motions, Step};
 
 /// Distance from a stroke to the middle of its label, CSS pixels.
 const BESIDE: f64 = 13.0;
@@ -72,12 +73,13 @@ pub fn labels(motions: &Motions, picked: &[Range<usize>], pointed: Option<usize>
 }
 
 fn is_single(step: &CycleStep) -> bool {
-    matches!(step.cycle, Cycle::Turning | Cycle::Threading | Cycle::Facing)
+    Single::of(step.cycle).is_some()
 }
 
 /// The label of a step: its number. The letters R and F are words of the program.
 fn text(motion: &Motion) -> Option<&'static str> {
     match motion.cycle?.step {
+        _ if motion.kind == MotionKind::Dwell => None,
         Step::Infeed => Some("①"),
         Step::Cut => Some("②"),
         Step::Retract => Some("③"),

@@ -278,7 +278,7 @@ impl Proposing<'_> {
         let has_number = self.around.programs.iter().any(|(_, at)| *at < self.line.start);
         let is_empty = self.around.last.is_none() && !has_number;
         let first = if is_empty { Some(Snippet::Head) } else { self.second_block() };
-        let others = Snippet::ALL.iter().copied().filter(|snippet| Some(*snippet) != first);
+        let others = Snippet::all().filter(|snippet| Some(*snippet) != first);
         first
             .into_iter()
             .chain(others)

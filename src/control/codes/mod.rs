@@ -299,17 +299,17 @@ pub enum MotionMode {
 }
 
 impl MotionMode {
-    /// Number of the code in system A.
-    pub fn number(self) -> u32 {
+    /// Ten times the number of the code in system A.
+    pub fn key(self) -> u32 {
         match self {
             Self::Rapid => 0,
-            Self::Line => 1,
-            Self::Arc(Turn::Clockwise) => 2,
-            Self::Arc(Turn::Counterclockwise) => 3,
-            Self::Thread => 32,
-            Self::Tapping => 33,
-            Self::VariableThread => 34,
-            Self::Cycle(cycle) => u32::from(cycle.spec().keys[0]) / 10,
+            Self::Line => 10,
+            Self::Arc(Turn::Clockwise) => 20,
+            Self::Arc(Turn::Counterclockwise) => 30,
+            Self::Thread => 320,
+            Self::Tapping => 330,
+            Self::VariableThread => 340,
+            Self::Cycle(cycle) => u32::from(cycle.spec().keys[0]),
         }
     }
 }

@@ -199,7 +199,7 @@ impl Interpreter {
 
     /// Number of cuts of a G92 pass: one per start (GSK L).
     pub(super) fn starts(&self, words: &Words, cycle: Single) -> u64 {
-        let several = cycle == Single::Threading && self.dialect.control == Control::Gsk;
+        let several = cycle.is_thread() && self.dialect.control == Control::Gsk;
         let starts = if several { words.get(b'L').and_then(plain) } else { None };
         starts.map_or(1, |starts| crate::geometry::within(starts, 1.0, 99.0) as u64)
     }

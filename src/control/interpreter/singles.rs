@@ -11,7 +11,7 @@ use crate::control::modal::Target;
 use crate::control::tool_offset;
 use crate::control::words::{self, Counts, Words, quote};
 use crate::cycles::Move;
-use crate::cycles::single::{self, PullOut, Single};
+use crate::cycles::single::{self, PullOut, Single, Work};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::motion::{CycleStep, Motion};
@@ -46,8 +46,7 @@ impl Interpreter {
         if let Some(value) = taper.and_then(|word| reading.length(word)) {
             self.state.memory.taper = value;
         }
-        if cycle == Single::Threading && self.dialect.i_in_g92 == IInG92::Taper && words.peek(b'I').is_some()
-        {
+        if cycle.is_thread() && self.dialect.i_in_g92 == IInG92::Taper && words.peek(b'I').is_some() {
             self.observe(text, Event::OldTaperWord { words });
         }
         if !words.has_any(AXES) {
@@ -57,11 +56,11 @@ impl Interpreter {
         if let Some(index) = request.comma.into_iter().flatten().next() {
             let span = block.words[index].span;
             let word = quote(text, span);
-            let diagnostic = match cycle {
-                Single::Threading => {
+            let diagnostic = match cycle.work() {
+                Work::Threading => {
                     Diagnostic::new(said::CornerInThread { word }, span).with(Fix::delete(text, span))
                 }
-                Single::Turning | Single::Facing => Diagnostic::new(said::CornerNoLine { word }, span),
+                Work::Turning | Work::Facing => Diagnostic::new(said::CornerNoLine { word }, span),
             };
             self.report(diagnostic);
             request.drop = true;
@@ -106,19 +105,19 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        let lead = match cycle {
-            Single::Threading => {
+        let lead = match cycle.work() {
+            Work::Threading => {
                 let lead = self.lead(text, block, words, "G92");
                 if lead.is_some() {
                     self.observe(text, Event::Thread { block, code: "G92", to: None });
                 }
                 lead.filter(|_| self.has_whole_angle(text, words))
             }
-            Single::Turning | Single::Facing => None,
+            Work::Turning | Work::Facing => None,
         };
-        let may_cut = match cycle {
-            Single::Threading => lead.is_some(),
-            Single::Turning | Single::Facing => self.may_cut(text, block, words, request),
+        let may_cut = match cycle.work() {
+            Work::Threading => lead.is_some(),
+            Work::Turning | Work::Facing => self.may_cut(text, block, words, request),
         };
         let (taper_word, starts) = (self.taper_word(words, cycle), self.starts(words, cycle));
         if may_cut {
@@ -129,7 +128,7 @@ impl Interpreter {
             request.drop = true;
             self.state.doubts.add(Doubt::Cycle);
         }
-        let own_angle = if cycle == Single::Threading { self.start_angle(words) } else { 0.0 };
+        let own_angle = if cycle.is_thread() { self.start_angle(words) } else { 0.0 };
         for start_number in 0..starts {
             self.state.memory.passes += 1;
             let pass = self.state.memory.passes;
@@ -164,10 +163,10 @@ impl Interpreter {
 
     /// The address of the taper in a block of a cycle: R, or its older spelling.
     pub(super) fn taper_word(&self, words: &Words, cycle: Single) -> Option<u8> {
-        let old = match cycle {
-            Single::Turning => Some(b'I'),
-            Single::Facing => Some(b'K'),
-            Single::Threading => (self.dialect.i_in_g92 == IInG92::Taper).then_some(b'I'),
+        let old = match cycle.work() {
+            Work::Turning => Some(b'I'),
+            Work::Facing => Some(b'K'),
+            Work::Threading => (self.dialect.i_in_g92 == IInG92::Taper).then_some(b'I'),
         };
         [Some(b'R'), old].into_iter().flatten().find(|&address| words.peek(address).is_some())
     }
@@ -184,24 +183,24 @@ impl Interpreter {
         word: impl FnOnce(&Self) -> String,
     ) -> bool {
         let taper = self.state.memory.taper;
-        let way = match cycle {
-            Single::Turning | Single::Threading => end.x - start.x,
-            Single::Facing => end.z - start.z,
+        let way = match cycle.work() {
+            Work::Turning | Work::Threading => end.x - start.x,
+            Work::Facing => end.z - start.z,
         };
         if single::begins_beyond_start(way, taper) {
             // GSK documents it as an error (seed 000); no FANUC alarm is known for it.
             let error = self.dialect.control == Control::Gsk || self.dialect.strict;
             let severity = if error { Severity::Error } else { Severity::Warning };
             let word = word(self);
-            let message: Message = match cycle {
-                Single::Turning | Single::Threading => {
+            let message: Message = match cycle.work() {
+                Work::Turning | Work::Threading => {
                     said::TaperBeyondHalf { word, limit: Diameter::from_radius(way).mm() }.into()
                 }
-                Single::Facing => said::TaperBeyondLength { word, limit: way }.into(),
+                Work::Facing => said::TaperBeyondLength { word, limit: way }.into(),
             };
             let mut diagnostic = Diagnostic::new(message, span).with_severity(severity);
             // With the opposite sign the cut begins inside the start point and has the same end.
-            let crosses_axis = cycle != Single::Facing && end.x > 0.0 && end.x < taper;
+            let crosses_axis = cycle.work() != Work::Facing && end.x > 0.0 && end.x < taper;
             if let Some((text, place)) = own_word
                 && !crosses_axis
             {

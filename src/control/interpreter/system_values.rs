@@ -188,8 +188,10 @@ impl Interpreter {
     /// Ten times the G code in force in a modal group.
     fn modal_code(&self, group: u32) -> u32 {
         let state = &self.state;
+        if group == 1 {
+            return state.motion.key();
+        }
         10 * match group {
-            1 => state.motion.number(),
             2 => 96 + u32::from(!state.spindle.surface),
             3 => 90 + u32::from(state.incremental),
             5 => 98 + u32::from(state.feed_mode == FeedMode::PerTurn),

@@ -17,7 +17,6 @@ use std::collections::BTreeSet;
 
 use crate::control::codes::{self, G, MotionMode, Multiple};
 use crate::control::words::Reading;
-use crate::cycles::single::Single;
 use crate::message::{Diagnostic, said};
 use crate::motion::Motions;
 use crate::setup::Setup;
@@ -250,13 +249,9 @@ impl BlockCodes {
         match code {
             G::Motion(mode) => {
                 self.end_hole();
-                self.thread = matches!(
-                    mode,
-                    MotionMode::Thread
-                        | MotionMode::VariableThread
-                        | MotionMode::Tapping
-                        | MotionMode::Cycle(Single::Threading)
-                );
+                self.thread =
+                    matches!(mode, MotionMode::Thread | MotionMode::VariableThread | MotionMode::Tapping)
+                        || matches!(mode, MotionMode::Cycle(cycle) if cycle.is_thread());
                 self.rapid = mode == MotionMode::Rapid;
                 self.arc |= matches!(mode, MotionMode::Arc(_));
             }
