@@ -217,13 +217,28 @@ fn assert_has(found: &[String], expected: &[&str]) {
 /// The numbered steps of the figure of a cycle with their ends, X as diameters.
 fn steps(text: &str, line: u32) -> Vec<(&'static str, [(f64, f64); 2])> {
     let (_, figure) = figure(text, "{}", line);
-    let numbered = figure.annotations.iter().filter(|own| own.label.value.is_none());
-    let steps = numbered.filter_map(|own| match own.shape {
-        Shape::Step(ends) => Some((own.label.name, ends.map(|at| (at.x + at.x, at.z)))),
-        _ => None,
+    let mut found: Vec<(&'static str, [(f64, f64); 2])> = Vec::new();
+    for own in with_details(&figure) {
+        // A detail may repeat a number. The numbers of passes of G73 are no steps.
+        let is_number = own.label.name.chars().all(|sign| ('①'..='⑳').contains(&sign));
+        if let Shape::Step(ends) = own.shape
+            && is_number
+            && found.iter().all(|(name, _)| *name != own.label.name)
+        {
+            found.push((own.label.name, ends.map(|at| (at.x + at.x, at.z))));
+        }
+    }
+    found.sort_by_key(|(name, _)| *name);
+    found
+}
+
+/// The annotations of a figure, and those of its details.
+fn with_details(figure: &Figure) -> Vec<&Annotation> {
+    let inside = figure.annotations.iter().flat_map(|own| match &own.shape {
+        Shape::Detail(detail) => &detail.annotations[..],
+        _ => &[],
     });
-    // The number of the first pass of G73 is no step.
-    steps.filter(|(name, _)| *name != "1").collect()
+    figure.annotations.iter().chain(inside).collect()
 }
 
 #[track_caller]
@@ -379,11 +394,53 @@ fn a_taper_has_its_size_at_the_blank() {
     let facing = "(STOCK D=50 LENGTH=60)\nG00 X54 Z5 S500 M03\nG94 X30 Z0 R-24 F0.1\nM30\n";
     assert_points(
         &points(facing, 3),
-        &[("A", 54.0, 5.0), ("B", 54.0, -24.0), ("E", 30.0, 0.0), ("F", 30.0, 5.0), ("C", 50.0, -20.0)],
+        &[
+            ("A", 54.0, 5.0),
+            ("B", 54.0, -24.0),
+            ("E", 30.0, 0.0),
+            ("F", 30.0, 5.0),
+            ("C", 50.0, -20.0),
+            ("G", 54.0, -20.0),
+        ],
     );
-    assert_has(&values(facing, "{}", 3), &["Ø30", "Ø50", "Z−20", "R = −24"]);
+    let found = values(facing, "{}", 3);
+    assert_has(&found, &["Ø30", "Ø50", "20", "R−20", "R = −24"]);
+    // The block has Z0.
+    assert!(!found.iter().any(|text| text.starts_with('Z')), "{found:?}");
     let turning = "(STOCK D=60 LENGTH=60)\nG00 X62 Z2\nG90 X58 Z-25 R-10.8 F0.2\nM30\n";
-    assert_has(&values(turning, "{}", 3), &["Ø58", "Ø38", "R = −10.8"]);
+    assert_has(&values(turning, "{}", 3), &["Ø58", "Ø38", "R = −10.8", "10", "25"]);
+}
+
+/// Seed 004: R-20 from X54 is at Ø50 at Z-20 · 20/24 = Z-16.667; what it leaves is between there, C and E.
+#[test]
+fn the_figure_of_g94_hatches_what_a_smaller_r_leaves() {
+    let (_, figure) =
+        figure("(STOCK D=50 LENGTH=60)\nG00 X54 Z5 S500 M03\nG94 X30 Z0 R-24 F0.1\nM30\n", "{}", 3);
+    let zone = figure.annotations.iter().find_map(|own| match &own.shape {
+        Shape::Zone { outline, way, .. } => Some((outline.clone(), *way)),
+        _ => None,
+    });
+    let (outline, way) = zone.expect("a zone");
+    let is_same = |found: &[Point], expected: &[(f64, f64)]| {
+        let pairs = found.iter().zip(expected);
+        found.len() == expected.len()
+            && pairs.into_iter().all(|(own, (x, z))| own.distance(Point::new(x / 2.0, *z)) < 1e-3)
+    };
+    assert!(is_same(&outline, &[(50.0, -20.0), (30.0, 0.0), (50.0, -16.6667)]), "{outline:?}");
+    assert!(is_same(&way, &[(54.0, -20.0), (30.0, 0.0)]), "{way:?}");
+}
+
+/// Passes at X45, X40 and X35: the drawing has Ø35, the words of the block are those of its own pass. The last taper from
+/// X18.4 at Z2 to X40 at Z-25 is at Ø20 at the face: 10 over 25.
+#[test]
+fn the_diameter_of_a_single_cycle_is_the_finished_one() {
+    let straight =
+        "(STOCK D=50 LENGTH=60)\nG00 X55 Z2 M03 S500\nG90 X45 Z-25 F0.2\nX40\nX35\nG00 X100\nM30\n";
+    let found = values(straight, "{}", 3);
+    assert_has(&found, &["Ø35", "X/2 = 22.5", "U/2 = −5"]);
+    assert!(!found.iter().any(|text| text == "Ø45"), "{found:?}");
+    let taper = "(STOCK D=60 LENGTH=60)\nG00 X62 Z2\nG90 X58 Z-25 R-10.8 F0.2\nX50\nX40\nM30\n";
+    assert_has(&values(taper, "{}", 3), &["Ø40", "Ø20", "10", "25"]);
 }
 
 /// The passes of G73 lie on nearly one line before the contour: the figure has the infeed of the first and of the last
@@ -420,7 +477,7 @@ fn the_detail_of_the_allowance_is_at_a_corner_or_at_a_land() {
         (fixture("s003-g72"), Point::new(10.0, -20.0), Point::new(0.05, 0.2)),
     ] {
         let all = details(&program, 4);
-        let [detail] = &all[..] else { panic!("{all:?}") };
+        let [detail, _] = &all[..] else { panic!("{all:?}") };
         assert!(detail.edges[0][1].is_same(finished), "{detail:?}");
         assert!(detail.lines[0][1].is_same(finished.moved(allowance)), "{detail:?}");
         // The part is on the other side of its edge.
@@ -440,15 +497,43 @@ fn the_detail_of_the_allowance_is_at_a_corner_or_at_a_land() {
     }
 }
 
+/// C of G71 is 0.32 mm from A, D of G73 is 0.56 mm: these are in a detail of their own, with the move between them.
+#[test]
+fn a_point_near_the_start_is_in_a_detail() {
+    for (program, expected) in [
+        (G71.to_owned(), vec!["A", "C", "Δu/2 = 0.25", "Δw = 0.2", "①"]),
+        (fixture("s003-g73"), vec!["A", "D", "Δu/2 = 0.25", "Δw = 0.5"]),
+    ] {
+        let all = details(&program, 4);
+        let detail = all.last().expect("a detail");
+        let texts: Vec<String> =
+            detail.annotations.iter().map(|own| own.label.text(Unit::Millimetre)).collect();
+        assert_eq!(texts, expected);
+    }
+}
+
+/// The detail of G76 is around a groove, between the face at Z0 and the end at Z-60.
+#[test]
+fn the_detail_of_a_thread_is_at_its_grooves() {
+    let all = details(&fixture("s003-g76"), 3);
+    let [detail] = &all[..] else { panic!("{all:?}") };
+    let (low, high) = (detail.at.z - detail.radius, detail.at.z + detail.radius);
+    assert!(-60.0 < low && high < 0.0, "{low} to {high}");
+}
+
 /// The named points of the figure of a cycle, as diameters.
 fn points(text: &str, line: u32) -> Vec<(&'static str, f64, f64)> {
     let (_, figure) = figure(text, "{}", line);
-    let own = figure.annotations;
-    let named = own.iter().filter(|own| own.label.name != "O").filter_map(|own| match own.shape {
-        Shape::Point(at) => Some((own.label.name, at.x + at.x, at.z)),
-        _ => None,
-    });
-    named.collect()
+    let mut named: Vec<(&'static str, f64, f64)> = Vec::new();
+    for own in with_details(&figure) {
+        if let Shape::Point(at) = own.shape
+            && own.label.name != "O"
+            && named.iter().all(|(name, ..)| *name != own.label.name)
+        {
+            named.push((own.label.name, at.x + at.x, at.z));
+        }
+    }
+    named
 }
 
 #[track_caller]
@@ -486,7 +571,7 @@ fn the_letters_of_a_cycle_are_where_the_manuals_have_them() {
     // C of G71 is Δu/2 and Δw from A.
     assert_points(
         &points(G71, 4),
-        &[("A", 41.0, 0.0), ("A′", 0.0, 0.0), ("B", 41.0, -60.5), ("C", 41.5, 0.2)],
+        &[("A", 41.0, 0.0), ("A′ = O", 0.0, 0.0), ("B", 41.0, -60.5), ("C", 41.5, 0.2)],
     );
 }
 
@@ -803,6 +888,7 @@ fn omitted(name: &str, mut run: Run) -> Vec<String> {
             let placed = place(&options.annotations, &occupied, &camera, Unit::Millimetre);
             let name = format!("{name}, {kind}, {medium}");
             assert_meets_nothing(&name, &placed, &occupied, &camera);
+            assert_leaders_are_apart(&name, &placed);
             let omitted = placed.omitted.iter().filter(|_| medium != "80");
             found.extend(omitted.map(|text| format!("{name}: {text}")));
         }
@@ -828,6 +914,32 @@ fn assert_meets_nothing(name: &str, placed: &Placed, occupied: &Occupied, camera
             assert!(!area.overlaps(&other.area), "{name}: {label:?} over {other:?}");
         }
     }
+}
+
+/// The leaders of two steps end at different places, and do not cross.
+fn assert_leaders_are_apart(name: &str, placed: &Placed) {
+    let leaders: Vec<[Pixel; 2]> = placed
+        .ends
+        .iter()
+        .filter_map(|end| placed.lines.iter().find(|line| line.len() == 2 && line[0] == *end))
+        .map(|line| [line[0], line[1]])
+        .collect();
+    assert_eq!(leaders.len(), placed.ends.len(), "{name}");
+    for (index, own) in leaders.iter().enumerate() {
+        for other in &leaders[..index] {
+            assert!(own[0].distance(other[0]) >= 5.0, "{name}: {own:?} and {other:?} mark one place");
+            assert!(!do_cross(*own, *other), "{name}: {own:?} crosses {other:?}");
+        }
+    }
+}
+
+/// Whether two straight lines have a point in common.
+fn do_cross(own: [Pixel; 2], other: [Pixel; 2]) -> bool {
+    let side = |line: [Pixel; 2], at: Pixel| {
+        let [a, b] = line;
+        (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x)
+    };
+    side(own, other[0]) * side(own, other[1]) < -1e-6 && side(other, own[0]) * side(other, own[1]) < -1e-6
 }
 
 /// Labels contain no words, so they are the same in each language.

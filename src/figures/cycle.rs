@@ -9,14 +9,13 @@ use std::ops::Range;
 use super::NUMBERS;
 use crate::assist::Query;
 use crate::control::contour::Landmarks;
-use crate::cycles::single::{Single, Work, cuts_along_x};
+use crate::cycles::single::{Single, cuts_along_x};
 use crate::cycles::threading::{LEAD_ERROR, run_in, run_out};
+use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, at_share};
 use crate::motion::{Cycle, CycleFamily, Motion, Motions, SpindleSpeed, Step};
 use crate::scene::annotation::{Annotation, Importance, Measure, Shape};
-use crate::setup::Stock;
 use crate::source::Span;
-use crate::units::Diameter;
 
 /// A call of a cycle.
 pub struct Call {
@@ -24,6 +23,8 @@ pub struct Call {
     pub first: usize,
     /// Its cycle.
     pub cycle: Cycle,
+    /// The last cut of a single cycle in its adjacent calls, which finishes the part.
+    pub finish: Option<Motion>,
     /// Its motions on the workpiece, at most [`MAX_MOTIONS`]; at least one.
     own: Vec<Motion>,
 }
@@ -34,12 +35,29 @@ impl Call {
         let range = asked.visit?.motions.clone();
         let first = range.start;
         let own: Vec<Motion> = range.take(MAX_MOTIONS).map(|index| motions.get_on_workpiece(index)).collect();
-        Some(Self { first, cycle: own.first()?.cycle?.cycle, own })
+        let cycle = own.first()?.cycle?.cycle;
+        let is_single = Single::of(cycle).is_some();
+        let finish = calls(motions, first)
+            .rev()
+            .map(|index| motions.get_on_workpiece(index))
+            .find(|motion| is_step(motion, Step::Cut))
+            .filter(|_| is_single);
+        Some(Self { first, cycle, finish, own })
+    }
+
+    /// Its start.
+    pub fn start(&self) -> Point {
+        self.own[0].from
+    }
+
+    /// The box of its motions.
+    pub fn bounds(&self) -> Bounds {
+        self.own.iter().fold(Bounds::of(self.start()), |bounds, motion| bounds.with(motion.to))
     }
 
     /// X of its start, a radius, mm.
     pub fn home(&self) -> f64 {
-        self.own[0].from.x
+        self.start().x
     }
 
     /// The motions of a step.
@@ -48,7 +66,7 @@ impl Call {
     }
 
     /// The first motion of a step.
-    fn step(&self, step: Step) -> Option<&Motion> {
+    pub fn step(&self, step: Step) -> Option<&Motion> {
         self.steps(step).next()
     }
 
@@ -191,33 +209,6 @@ impl Call {
         missing.map(|(name, (shape, mm))| Annotation::dimension(shape, name, Measure::Length(mm))).collect()
     }
 
-    /// Where the cone of a taper meets the blank: G94 at its diameter, with Ø and Z of this point C; G90 at its face, with
-    /// Ø. `stock`: the given blank.
-    pub fn corner_of_taper(&self, stock: impl FnOnce() -> Option<Stock>) -> Vec<Annotation> {
-        let Some(cut) = self.step(Step::Cut) else { return Vec::new() };
-        let (x, z) = (cut.to.x - cut.from.x, cut.to.z - cut.from.z);
-        if x.abs() < SAME_DEPTH || z.abs() < SAME_DEPTH {
-            return Vec::new();
-        }
-        let work = Single::of(self.cycle).map(Single::work);
-        let share = match work {
-            Some(Work::Facing) => stock().map(|stock| (stock.diameter.radius() - cut.from.x) / x),
-            Some(Work::Turning) => stock().map(|stock| (stock.face - cut.from.z) / z),
-            _ => None,
-        };
-        let share = share.filter(|share| (SAME_DEPTH..1.0 - SAME_DEPTH).contains(share));
-        let Some(at) = share.map(|share| at_share([cut.from, cut.to], share)) else { return Vec::new() };
-        let diameter = Measure::Diameter(Diameter::from_radius(at.x).mm());
-        let mut all = vec![Annotation::dimension(Shape::Diameter(at), "", diameter)];
-        if work == Some(Work::Facing) {
-            let from_zero = Shape::Axial([Point::new(at.x, 0.0), at]);
-            all.push(Annotation::point(at, "C"));
-            all.push(Annotation::dimension(from_zero, "", Measure::Coordinate('Z', at.z)));
-        }
-        all.retain(|own| own.shape.is_visible());
-        all
-    }
-
     /// The run-in δ1 and the run-out δ2 that a thread of G92 needs at a constant speed, and its pull-out r. With a
     /// pull-out there is no run-out. `all`: the annotations of the block, which may have the pull-out already.
     pub fn ends_of_thread(&self, all: &[Annotation]) -> Vec<Annotation> {
@@ -314,29 +305,41 @@ pub fn dimensions(asked: &Query, motions: &Motions) -> Vec<Annotation> {
 /// roughing. The middle passes of G76 are left out, because a detail shows them, and the infeed of the middle passes of
 /// G73, because all infeeds lie on nearly the same line.
 pub fn shown(motions: &Motions, first: usize) -> Vec<Range<usize>> {
-    let cycle = |index: usize| motions.get(index).cycle.map(|step| step.cycle);
-    let own = cycle(first);
-    let end_of = |from: usize, own: Option<Cycle>| {
-        let end = motions.len().min(from + MAX_MOTIONS);
-        (from..end).find(|&index| cycle(index) != own).unwrap_or(end)
-    };
-    let before = (first.saturating_sub(MAX_MOTIONS)..first).rev().take_while(|&index| cycle(index) == own);
-    let calls = before.last().unwrap_or(first)..end_of(first, own);
+    let own = cycle_at(motions, first);
+    let calls = calls(motions, first);
     let finishing = match own {
         Some(Cycle::RoughTurning | Cycle::RoughFacing | Cycle::Pattern) => {
             let end = motions.len().min(calls.end + MAX_MOTIONS);
-            let next = (calls.end..end).find(|&index| cycle(index).is_some());
-            next.filter(|&index| cycle(index) == Some(Cycle::Finishing))
+            let next = (calls.end..end).find(|&index| cycle_at(motions, index).is_some());
+            next.filter(|&index| cycle_at(motions, index) == Some(Cycle::Finishing))
         }
         _ => None,
     };
-    let finishing = finishing.map(|index| index..end_of(index, Some(Cycle::Finishing)));
+    let finishing = finishing.map(|index| index..end_of(motions, index));
     match own {
         Some(Cycle::MultiThreading | Cycle::Pattern) => {
             outer_passes(motions, calls).into_iter().chain(finishing).collect()
         }
         _ => [calls].into_iter().chain(finishing).collect(),
     }
+}
+
+/// The motions of the call at `first`, and of adjacent calls of the same cycle.
+fn calls(motions: &Motions, first: usize) -> Range<usize> {
+    let own = cycle_at(motions, first);
+    let before = (first.saturating_sub(MAX_MOTIONS)..first).rev();
+    let before = before.take_while(|&index| cycle_at(motions, index) == own);
+    before.last().unwrap_or(first)..end_of(motions, first)
+}
+
+/// The end of the motions of a cycle that begin at an index.
+fn end_of(motions: &Motions, from: usize) -> usize {
+    let end = motions.len().min(from + MAX_MOTIONS);
+    (from..end).find(|&index| cycle_at(motions, index) != cycle_at(motions, from)).unwrap_or(end)
+}
+
+fn cycle_at(motions: &Motions, index: usize) -> Option<Cycle> {
+    motions.get(index).cycle.map(|step| step.cycle)
 }
 
 /// The motions of calls of G76 or G73 that a figure shows.

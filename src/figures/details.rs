@@ -1,4 +1,4 @@
-//! The details of the figure of a cycle: the finishing allowance of a contour, and the infeed of G76.
+//! The details of the figure of a cycle: the finishing allowance of a contour, the start, and the infeed of G76.
 //!
 //! In: a call of a cycle, and the annotations of its words. Out: details at a larger scale, which replace the
 //! annotations of what would be too small.
@@ -14,6 +14,10 @@ const MAX_PASSES: usize = 60;
 /// Length of the pieces of a contour in its detail, as a multiple of the allowance: at most, and at least.
 const LONGEST: f64 = 4.0;
 const SHORTEST: f64 = 2.0;
+/// A point nearer to the start than this share of the extent of the cycle cannot be told apart from it.
+const NEAR_START: f64 = 0.03;
+/// Length of the pieces of moves in the detail of the start, as a multiple of that distance.
+const LONGEST_AT_START: f64 = 1.5;
 /// The dimensions of G76 that its detail shows.
 const DEPTHS: [&str; 5] = ["k", "Δd", "Δd min", "d", "a"];
 
@@ -83,6 +87,54 @@ pub fn add_allowance(call: &Call, all: &mut Vec<Annotation>) {
     all.push(Annotation::detail(detail));
 }
 
+/// Moves a point that cannot be told apart from the start A, which is C of G71 and G72 and D of G73, to a detail: with the
+/// moves to it and from it, and its distances.
+pub fn add_start(call: &Call, all: &mut Vec<Annotation>) {
+    let name = match call.cycle {
+        Cycle::RoughTurning | Cycle::RoughFacing => "C",
+        Cycle::Pattern => "D",
+        _ => return,
+    };
+    let (start, bounds) = (call.start(), call.bounds());
+    let least = NEAR_START * bounds.length().max(bounds.height());
+    let place = |own: &Annotation| match own.shape {
+        Shape::Point(at) if (SAME_DEPTH..least).contains(&at.distance(start)) => Some(at),
+        _ => None,
+    };
+    let Some(at) = all.iter().filter(|own| own.label.name == name).find_map(place) else { return };
+    let reach = at.distance(start);
+    let piece = |from: Point, to: Point| {
+        let share = (LONGEST_AT_START * reach / from.distance(to)).min(1.0);
+        vec![from, at_share([from, to], share)]
+    };
+    let to = call.steps(Step::Approach).find(|motion| motion.to.is_same(at));
+    let from = call.steps(Step::Infeed).find(|motion| motion.from.is_same(at));
+    let ways = [to.map(|motion| piece(at, motion.from)), from.map(|motion| piece(at, motion.to))];
+    let across = Shape::Radial([at, Point::new(start.x, at.z)]);
+    let along = Shape::Axial([at, Point::new(at.x, start.z)]);
+    let mut annotations = vec![Annotation::point(start, "A"), Annotation::point(at, name)];
+    let distances = [(across, "Δu/2", at.x - start.x), (along, "Δw", at.z - start.z)].into_iter();
+    let shown = distances.filter(|(shape, ..)| shape.is_visible());
+    annotations
+        .extend(shown.map(|(shape, name, mm)| Annotation::dimension(shape, name, Measure::Length(mm))));
+    let is_inside = |own: &Annotation| match own.shape {
+        Shape::Point(place) => place.is_same(at),
+        Shape::Step([from, to]) => from.is_same(start) && to.is_same(at),
+        _ => false,
+    };
+    annotations
+        .extend(all.iter().filter(|own| is_inside(own) && matches!(own.shape, Shape::Step(_))).cloned());
+    all.retain(|own| !is_inside(own));
+    let detail = Detail {
+        at: start,
+        radius: 1.5 * reach,
+        lines: ways.into_iter().flatten().collect(),
+        annotations,
+        ..Detail::default()
+    };
+    all.push(Annotation::detail(detail));
+}
+
 /// Two straight pieces of a contour that meet, or one piece with a point on it.
 struct Corner {
     before: Point,
@@ -137,10 +189,26 @@ pub fn add_infeed(call: &Call, all: &mut Vec<Annotation>) {
     if call.cycle != Cycle::MultiThreading {
         return;
     }
-    let cuts: Vec<Motion> = call.steps(Step::Cut).copied().collect();
+    let leads = call.last(Step::Cut).map_or(0.0, leads_to_middle);
+    let cuts: Vec<Motion> = call.steps(Step::Cut).map(|cut| after_leads(*cut, leads)).collect();
     let Some(detail) = infeed(all, &cuts, call.home()) else { return };
     all.retain(|annotation| !DEPTHS.contains(&annotation.label.name));
     all.push(Annotation::detail(detail));
+}
+
+/// The number of whole leads in the first half of a cut of a thread.
+fn leads_to_middle(cut: &Motion) -> f64 {
+    let lead = cut.lead.unwrap_or_default().abs();
+    if lead < SAME_DEPTH { 0.0 } else { (0.5 * cut.length() / lead).floor() }
+}
+
+/// A cut of a thread from a later groove: at its start there is no material.
+fn after_leads(cut: Motion, leads: f64) -> Motion {
+    let along = leads * cut.lead.unwrap_or_default().abs();
+    if along < SAME_DEPTH || along > cut.length() {
+        return cut;
+    }
+    Motion { from: at_share([cut.from, cut.to], along / cut.length()), ..cut }
 }
 
 /// The groove of a thread with the edges of each pass, the last ones thick, and its depths: `Δd` of the first, `Δd√2` of

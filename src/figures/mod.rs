@@ -6,6 +6,7 @@
 mod cycle;
 mod details;
 mod face;
+mod finish;
 pub mod measure;
 mod nose;
 mod part;
@@ -31,7 +32,7 @@ use crate::machine::resolved_setup::Basis;
 use crate::motion::Motions;
 use crate::run::Run;
 use crate::run::replay::{Found, VisitChoice};
-use crate::scene::annotation::{Annotation, Importance};
+use crate::scene::annotation::{Annotation, Importance, Shape};
 use crate::setup::Stock;
 use crate::source::LineIndex;
 use crate::text::parser::Resume;
@@ -99,16 +100,31 @@ pub fn of_cycle(run: &mut Run, byte: u32) -> Figure {
             all.extend(cycle::dimensions(&first, run.motions()));
         }
     }
+    call.finish_diameter(&mut all);
     all.extend(call.distances(&all));
     all.extend(call.ends_of_thread(&all));
+    // The lead may be shown anywhere along the thread.
+    all.sort_by_key(|own| own.label.name == "F");
     all.extend(call.corner_of_taper(|| bar_of(run)));
     call.add_pass_numbers(&mut all);
     details::add_allowance(&call, &mut all);
     details::add_infeed(&call, &mut all);
     // Dimensions need the places beside their points.
     all.extend(call.step_numbers());
-    all.push(origin());
+    details::add_start(&call, &mut all);
+    add_origin(&mut all);
     Figure { annotations: all, first: call.first }
+}
+
+/// Adds zero of the program, to the letter of a point that is there.
+fn add_origin(all: &mut Vec<Annotation>) {
+    let zero = Point::default();
+    let is_there = |own: &&mut Annotation| matches!(own.shape, Shape::Point(at) if at.is_same(zero));
+    match all.iter_mut().find(is_there) {
+        Some(own) if own.label.name == "A′" => own.label.name = "A′ = O",
+        Some(_) => {}
+        None => all.push(origin()),
+    }
 }
 
 /// Zero of the program.

@@ -9,7 +9,7 @@ use crate::assist::Query;
 use crate::assist::fact::Quantity;
 use crate::assist::hover::Hover;
 use crate::control::codes::role::Role;
-use crate::geometry::Point;
+use crate::geometry::{Point, at_share};
 use crate::motion::{Cycle, Motion, MotionKind, Motions, Step};
 use crate::run::replay::Visit;
 use crate::scene::annotation::{Annotation, Measure, Shape};
@@ -273,7 +273,8 @@ impl Own {
             Lead => {
                 let thread = self.list.iter().find(|motion| motion.kind == MotionKind::Thread)?;
                 let Some(Quantity::FeedPerTurn(lead)) = quantity else { return None };
-                let (start, along) = (halfway(thread.from, thread.to), along(thread));
+                // Not in the middle, where the label of the length is.
+                let (start, along) = (at_share([thread.from, thread.to], 0.3), along(thread));
                 let sign =
                     if along == Along::X { thread.to.x - thread.from.x } else { thread.to.z - thread.from.z }
                         .signum();

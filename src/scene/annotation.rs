@@ -69,6 +69,15 @@ pub enum Shape {
     Detail(Box<Detail>),
     /// The outline of a tool, without a label.
     Outline(Vec<Point>),
+    /// Material that another path would leave: hatched, with that path.
+    Zone {
+        /// The corners of the material.
+        outline: Vec<Point>,
+        /// The other path.
+        way: [Point; 2],
+        /// The point inside that the label marks.
+        mark: Point,
+    },
 }
 
 /// A part of the picture that is drawn again at a larger scale, in a free area.
@@ -186,15 +195,17 @@ impl Shape {
             | Self::Radius { .. }
             | Self::Angle { .. }
             | Self::Detail(_)
+            | Self::Zone { .. }
             | Self::Outline(_) => true,
         }
     }
 
-    /// The same shape with its points elsewhere; details and outlines are not displaced.
+    /// The same shape with its points elsewhere; details, outlines and zones are not displaced.
     pub fn map(&self, place: impl Fn(Point) -> Point) -> Self {
         match *self {
             Self::Detail(ref detail) => Self::Detail(detail.clone()),
             Self::Outline(ref corners) => Self::Outline(corners.clone()),
+            Self::Zone { ref outline, way, mark } => Self::Zone { outline: outline.clone(), way, mark },
             Self::Point(at) => Self::Point(place(at)),
             Self::Axial(ends) => Self::Axial(ends.map(place)),
             Self::Radial(ends) => Self::Radial(ends.map(place)),
@@ -219,7 +230,7 @@ impl Shape {
     pub fn points(&self) -> Vec<Point> {
         match *self {
             Self::Detail(ref detail) => vec![detail.at],
-            Self::Outline(ref corners) => corners.clone(),
+            Self::Outline(ref corners) | Self::Zone { outline: ref corners, .. } => corners.clone(),
             Self::Point(at) | Self::Note(at) => vec![at],
             Self::Axial(ends) | Self::Radial(ends) | Self::Step(ends) => ends.to_vec(),
             Self::Diameter(at) | Self::DiameterThrough(at) => vec![at, Point::new(-at.x, at.z)],

@@ -61,12 +61,14 @@ pub struct Occupied {
     columns: usize,
     rows: usize,
     cells: Vec<bool>,
-    /// The straight strokes.
+    /// The cells of thin lines, over which a label may be drawn if there is no other place.
+    thin: Vec<bool>,
+    /// The straight strokes, in the direction of the moves.
     straight: Vec<[Pixel; 2]>,
 }
 
 impl Occupied {
-    /// The map of a scene, with its strokes as they are drawn.
+    /// The map of a scene, with its strokes where they are drawn, in the direction of the moves.
     pub fn of(scene: &Scene, camera: &Camera, strokes: impl Iterator<Item = StrokeShape>) -> Self {
         let mut map = Self::empty(camera);
         for shape in strokes.take(MAX_STROKES) {
@@ -75,6 +77,10 @@ impl Occupied {
         if let Some(work) = scene.work() {
             let outlines = closed(&work.part).into_iter().chain(closed(&work.obstacles));
             map.outlines(outlines, scene.plane(), camera);
+            let drawn = std::mem::take(&mut map.cells);
+            map.cells = vec![false; drawn.len()];
+            map.outlines(closed(&work.blank).into_iter(), scene.plane(), camera);
+            map.thin = std::mem::replace(&mut map.cells, drawn);
         }
         map
     }
@@ -100,30 +106,52 @@ impl Occupied {
     fn empty(camera: &Camera) -> Self {
         let Size { width, height } = camera.size();
         let [columns, rows] = [width, height].map(|length| (length / CELL).ceil() as usize + 1);
-        Self { columns, rows, cells: vec![false; columns * rows], straight: Vec::new() }
+        let cells = vec![false; columns * rows];
+        Self { columns, rows, thin: cells.clone(), cells, straight: Vec::new() }
     }
 
-    /// Whether nothing is drawn in an area.
+    /// Whether nothing is drawn in an area but thin lines.
     pub fn is_free(&self, area: &Rectangle) -> bool {
+        self.is_empty(&self.cells, area)
+    }
+
+    /// Whether no thin line passes through an area: an edge of the blank.
+    pub fn is_clear(&self, area: &Rectangle) -> bool {
+        self.is_empty(&self.thin, area)
+    }
+
+    fn is_empty(&self, cells: &[bool], area: &Rectangle) -> bool {
         let cell = |at: f64, most: usize| ((at / CELL).max(0.0) as usize).min(most - 1);
         let columns = cell(area.min.x, self.columns)..=cell(area.max.x, self.columns);
         let rows = cell(area.min.y, self.rows)..=cell(area.max.y, self.rows);
-        rows.into_iter().all(|row| columns.clone().all(|column| !self.cells[row * self.columns + column]))
+        rows.into_iter().all(|row| columns.clone().all(|column| !cells[row * self.columns + column]))
     }
 
-    /// Whether most of a line lies on what is drawn.
+    /// Whether a line lies on what is drawn, for at least half of its length without a gap; crossing it is not lying on it.
     pub fn covers(&self, from: Pixel, to: Pixel) -> bool {
-        let (mut drawn, mut all) = (0, 0);
+        let (mut run, mut longest, mut all) = (0, 0, 0);
         for cell in self.cells_along([from, to], CELL) {
-            drawn += usize::from(self.cells[cell]);
+            run = if self.cells[cell] { run + 1 } else { 0 };
+            longest = longest.max(run);
             all += 1;
         }
-        2 * drawn >= all && drawn > 0
+        2 * longest >= all && longest > 0
     }
 
     /// The pieces of a straight line that are not drawn over a straight stroke: over a dashed stroke, the line would
     /// fill its gaps.
     pub fn beside_strokes(&self, line: [Pixel; 2]) -> Vec<[Pixel; 2]> {
+        self.beside(line, |_| true)
+    }
+
+    /// The pieces of the straight stroke of a move that no stroke of a move in the opposite direction covers.
+    pub fn beside_opposite(&self, line: [Pixel; 2]) -> Vec<[Pixel; 2]> {
+        self.beside(line, |forward| forward < 0.0)
+    }
+
+    /// The pieces of a straight line that straight strokes do not cover. `covers`: whether a stroke counts, by the way that
+    /// it goes forward along the line.
+    fn beside(&self, line: [Pixel; 2], covers: impl Fn(f64) -> bool) -> Vec<[Pixel; 2]> {
         let [from, to] = line;
         let length = from.distance(to);
         if length < LEAST_PIECE {
@@ -139,7 +167,7 @@ impl Occupied {
         for stroke in &self.straight {
             let [a, b] = stroke.map(place);
             let (low, high) = (a[0].min(b[0]).max(0.0), a[0].max(b[0]).min(length));
-            if high - low < LEAST_PIECE {
+            if high - low < LEAST_PIECE || !covers(b[0] - a[0]) {
                 continue;
             }
             let across = |along: f64| a[1] + (along - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
@@ -239,7 +267,7 @@ mod tests {
     use super::*;
     use crate::geometry::bounds::Bounds;
 
-    /// A rapid from Z10 to Z60 at X20: a line at X20 from Z0 to Z100 keeps 10 mm before it and 40 mm after it. A line
+    /// A rapid from Z60 to Z10 at X20: a line at X20 from Z0 to Z100 keeps 10 mm before it and 40 mm after it. A line
     /// across the rapid, and a line 5 mm beside it, are whole.
     #[test]
     fn a_line_along_a_stroke_is_left_out() {
@@ -262,5 +290,12 @@ mod tests {
         is(pieces([(20.0, 20.0), (20.0, 50.0)]), &[]);
         is(pieces([(0.0, 30.0), (50.0, 30.0)]), &[50.0]);
         is(pieces([(25.0, 0.0), (25.0, 100.0)]), &[100.0]);
+        // To Z100 the rapid is in the opposite direction, to Z0 in the same.
+        let opposite = |from: f64, to: f64| -> Vec<f64> {
+            let all = map.beside_opposite([from, to].map(|z| camera.to_screen(Point::new(20.0, z))));
+            all.into_iter().map(|[a, b]| a.distance(b) / camera.scale()).collect()
+        };
+        is(opposite(0.0, 100.0), &[10.0, 40.0]);
+        is(opposite(100.0, 0.0), &[100.0]);
     }
 }

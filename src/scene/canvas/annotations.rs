@@ -6,7 +6,7 @@ use super::super::Scene;
 use super::super::camera::Pixel;
 use super::super::clip::Piece;
 use super::super::occupied::{Occupied, Rectangle};
-use super::super::placement::{FONT_SIZE, place};
+use super::super::placement::{DOT, END, FONT_SIZE, place};
 use super::super::view::View;
 use super::Painter;
 use super::pen::{Dash, Text};
@@ -23,7 +23,7 @@ impl Painter {
             return Ok(());
         }
         let (pen, camera, colour) = (&self.screen, view.camera(), &view.palette.tool);
-        let occupied = Occupied::of(scene, camera, scene.strokes().map(|stroke| stroke.drawn_shape()));
+        let occupied = Occupied::of(scene, camera, scene.strokes().map(|stroke| stroke.shape));
         let placed = place(annotations, &occupied, camera, view.scale.unit);
         pen.page(view)?;
         let clipped = |lines: &[Vec<Pixel>]| -> Vec<Piece> {
@@ -36,7 +36,8 @@ impl Painter {
         pen.polylines(part, &clipped(&placed.edges), 1.5, Dash::Solid)?;
         pen.polylines(colour, &clipped(&placed.lines), 1.0, Dash::Solid)?;
         pen.fill(colour, placed.heads.iter().map(|head| &head[..]));
-        pen.dots(colour, placed.dots.iter().copied(), 3.0)?;
+        pen.dots(colour, placed.dots.iter().copied(), DOT)?;
+        pen.dots(colour, placed.ends.iter().copied(), END)?;
         let font = format!("600 {FONT_SIZE}px system-ui, sans-serif");
         for label in &placed.labels {
             let Rectangle { min, max } = label.area;

@@ -5,9 +5,9 @@
 use std::fmt::Write;
 
 use super::super::Scene;
-use super::super::occupied::Occupied;
+use super::super::occupied::{Occupied, Rectangle};
 use super::super::palette::Palette;
-use super::super::placement::place;
+use super::super::placement::{DOT, END, place};
 use super::caption::escaped;
 use super::{Drawing, SvgOptions, drawn, number, pixel, polylines};
 
@@ -35,18 +35,23 @@ impl Drawing {
         // The annotations are at the strokes as they are drawn.
         let mut annotations = options.annotations.clone();
         for annotation in &mut annotations {
-            annotation.shape = annotation.shape.map(|at| self.apart.point(scene, at));
+            annotation.shape = self.apart.annotated(scene, &annotation.shape);
         }
-        let strokes = drawn(scene, options).map(|stroke| self.apart.shape(&stroke));
+        let strokes = drawn(scene, options).map(|stroke| self.apart.directed(&stroke));
         let occupied = Occupied::of(scene, &self.camera, strokes);
         let placed = place(&annotations, &occupied, &self.camera, options.scale.unit);
         let mut heads = String::new();
         for [tip, a, b] in &placed.heads {
             let _ = write!(heads, "M{}L{}L{}Z", pixel(*tip), pixel(*a), pixel(*b));
         }
-        for dot in &placed.dots {
-            let (x, y) = (number(dot.x - 3.0), number(dot.y));
-            let _ = write!(heads, "M{x} {y}a3 3 0 1 0 6 0a3 3 0 1 0 -6 0");
+        for (dots, radius) in [(&placed.dots, DOT), (&placed.ends, END)] {
+            for dot in dots {
+                let (x, y, width) = (number(dot.x - radius), number(dot.y), 2.0 * radius);
+                let _ = write!(
+                    heads,
+                    "M{x} {y}a{radius} {radius} 0 1 0 {width} 0a{radius} {radius} 0 1 0 -{width} 0"
+                );
+            }
         }
         self.line(r#"<g class="annotations">"#);
         let hatch: String =
@@ -59,6 +64,14 @@ impl Drawing {
         self.line(&format!(r#"<path class="dimension" d="{}"/>"#, polylines(&placed.lines, "")));
         if !heads.is_empty() {
             self.line(&format!(r#"<path class="head" d="{heads}"/>"#));
+        }
+        // Lines under a label have a gap.
+        let mut gaps = String::new();
+        for Rectangle { min, max } in placed.labels.iter().map(|label| label.area) {
+            let _ = write!(gaps, "M{}H{}V{}H{}Z", pixel(min), number(max.x), number(max.y), number(min.x));
+        }
+        if !gaps.is_empty() {
+            self.line(&format!(r#"<path class="background" d="{gaps}"/>"#));
         }
         for label in &placed.labels {
             let middle = label.area.middle();

@@ -5,6 +5,7 @@
 
 use std::ops::Range;
 
+use super::super::annotation::Shape;
 use super::super::{Scene, Stroke, StrokeShape};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Arc, Point, at_share, share_along, within};
@@ -12,7 +13,7 @@ use crate::motion::{Cycle, CycleFamily, Motions, Step};
 
 /// Distance between two passes, and between two pecks, CSS pixels, if there is room.
 const GAP: f64 = 3.0;
-const PECK_GAP: f64 = 5.0;
+const PECK_GAP: f64 = 10.0;
 
 /// Maximum displacement of the passes of a cycle, CSS pixels.
 const ROOM: f64 = 36.0;
@@ -95,6 +96,36 @@ impl Apart {
         }
     }
 
+    /// An annotation where its strokes are drawn. The ends of a stroke are those of that stroke, even if other strokes are at
+    /// the same points.
+    pub(super) fn annotated(&self, scene: &Scene, shape: &Shape) -> Shape {
+        let ends = match shape {
+            Shape::Step(ends) | Shape::Axial(ends) | Shape::Radial(ends) => self.ends(scene, *ends),
+            _ => None,
+        };
+        match (shape, ends) {
+            (Shape::Step(_), Some(ends)) => Shape::Step(ends),
+            (Shape::Axial(_), Some(ends)) => Shape::Axial(ends),
+            (Shape::Radial(_), Some(ends)) => Shape::Radial(ends),
+            _ => shape.map(|at| self.point(scene, at)),
+        }
+    }
+
+    /// Where the ends of a straight stroke are drawn; `None` without a displaced stroke between them.
+    fn ends(&self, scene: &Scene, [from, to]: [Point; 2]) -> Option<[Point; 2]> {
+        if self.places.is_empty() {
+            return None;
+        }
+        let is_own = |stroke: &Stroke| {
+            matches!(stroke.shape, StrokeShape::Line { .. })
+                && stroke.shape.start().distance(from) < ON_STROKE
+                && stroke.shape.end().distance(to) < ON_STROKE
+        };
+        let own = scene.strokes_near(Bounds::of(from).grown(ON_STROKE)).find(is_own)?;
+        let [start, end] = self.places.get(own.motion)?;
+        Some([from.moved(*start), to.moved(*end)])
+    }
+
     /// Where a point of the section is drawn: displaced if it is on displaced strokes only.
     pub(super) fn point(&self, scene: &Scene, at: Point) -> Point {
         if self.places.is_empty() {
@@ -160,7 +191,7 @@ impl Apart {
                 Some(Step::Relief | Step::Stepover | Step::Return | Step::Approach) | None
             )
         };
-        let pitch = pitch_of(motions, call.clone());
+        let columns = columns_of(motions, call.clone());
         let mut first = call.start;
         while first < call.end {
             let mut end = first;
@@ -170,10 +201,14 @@ impl Apart {
             let cuts = (first..end).filter(|&motion| step(motion) == Some(Step::Cut)).count();
             if cuts > 1 {
                 self.has_passes = true;
-                let room = (ROOM * pixel).min(SHARE * pitch);
-                let gap = (PECK_GAP * pixel).min(room / cuts as f64);
                 let motion = motions.get_on_workpiece(first);
                 let is_along_z = motion.from.x == motion.to.x;
+                // They are displaced towards the next column in the positive direction.
+                let place = |at: Point| if is_along_z { at.x } else { at.z };
+                let others = columns.iter().map(|at| place(*at) - place(motion.from));
+                let pitch = others.filter(|by| *by > ON_STROKE).fold(f64::INFINITY, f64::min);
+                let room = (ROOM * pixel).min(SHARE * pitch);
+                let gap = (PECK_GAP * pixel).min(room / cuts as f64);
                 let at = |left: usize| {
                     let by = gap * left as f64;
                     if is_along_z { Point { x: by, z: 0.0 } } else { Point { x: 0.0, z: by } }
@@ -195,11 +230,11 @@ impl Apart {
     }
 }
 
-/// Least distance between two columns of pecks, mm; infinite for one column.
-fn pitch_of(motions: &Motions, call: Range<usize>) -> f64 {
+/// The starts of the columns of pecks.
+fn columns_of(motions: &Motions, call: Range<usize>) -> Vec<Point> {
     let is_over = |index: &usize| motions.get(*index).cycle.is_some_and(|step| step.step == Step::Stepover);
-    let lengths = call.filter(is_over).map(|index| motions.get_on_workpiece(index).length());
-    lengths.fold(f64::INFINITY, f64::min)
+    let ends = call.filter(is_over).map(|index| motions.get_on_workpiece(index));
+    ends.flat_map(|motion| [motion.from, motion.to]).collect()
 }
 
 /// The share of a stroke at a point on it, from 0 to 1; `None` if the point is not on it.

@@ -171,16 +171,28 @@ pub fn camera(scene: &Scene, options: &SvgOptions) -> Camera {
     let chosen = || Camera::height_for(bounds, width, least.min(HEIGHTS[0]), HEIGHTS[1]);
     let drawn_height = options.height.unwrap_or_else(chosen).max(80.0);
     let mut camera = Camera::fit_with(bounds, Size { width, height: drawn_height }, x_plus);
-    let below = options.annotations.iter().filter_map(|own| match &own.shape {
-        Shape::Detail(detail) => detail_sizes(detail, camera.scale()).next(),
-        _ => None,
-    });
-    let below: f64 = below.map(|(_, [_, height])| height + ROOM_FOR_LABELS / 4.0).sum();
+    let below = room_for_details(options, &camera);
     let height = drawn_height + stacked + below;
     let shift = if camera.upward() > 0.0 { stacked } else { 0.0 };
     camera.resize(Size { width, height });
     camera.pan(0.0, shift - (height - drawn_height) / 2.0);
     camera
+}
+
+/// The height of the details of a picture, side by side where they have room, CSS pixels.
+fn room_for_details(options: &SvgOptions, camera: &Camera) -> f64 {
+    let sizes = options.annotations.iter().filter_map(|own| match &own.shape {
+        Shape::Detail(detail) => Some(detail_sizes(detail, camera.scale()).next()?.1),
+        _ => None,
+    });
+    let (mut all, mut row) = (0.0, [0.0, 0.0]);
+    for [width, height] in sizes {
+        let is_beside = row[0] + width < options.width - LEFT_RULER;
+        let high = height + ROOM_FOR_LABELS / 4.0;
+        all += if is_beside { (high - row[1]).max(0.0) } else { high };
+        row = if is_beside { [row[0] + width, high.max(row[1])] } else { [width, high] };
+    }
+    all
 }
 
 /// The strokes that are drawn.
