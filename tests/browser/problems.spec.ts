@@ -468,6 +468,27 @@ test('while a word of a contour is typed, the previous picture stays, labelled a
   });
 });
 
+test('the legend belongs to the previous picture while it stays, and then to the current one', async ({ page }) => {
+  await open(page);
+  await type(page, 'G50 X60 Z40\nG00 X32 Z2 M03 S500\nG90 X26 Z-20 F0.2\nG00 X60 Z40\nM30\n');
+  await settled(page);
+  const legend = page.locator('.legend');
+  await expect(legend).toContainText('cut off the blank');
+  await page.keyboard.press('Control+Home');
+  for (let i = 0; i < 2; i++) await page.keyboard.press('ArrowDown');
+  await settled(page);
+  // `G90` becomes `90`: nothing is cut.
+  await page.keyboard.press('Delete');
+  await settled(page);
+  await expect(page.getByText(/^Old picture \(run \d+\)/)).toBeVisible();
+  await expect(legend).toContainText('cut off the blank');
+  await page.keyboard.press('Control+Home');
+  await settled(page);
+  await expect(legend).toContainText('rapid');
+  await expect(legend).not.toContainText('cutting');
+  await expect(legend).not.toContainText('cut off the blank');
+});
+
 chromiumTest('leaving the block during its run shows the current path of the program', async ({ page }) => {
   // The worker receives the cursor move after the first slice of the run.
   await runBeforeWorker(

@@ -15,9 +15,9 @@ import {
   type LengthUnit,
   type PictureName,
   type Pictures as Images,
+  type Report,
   type SectionScale,
   type Stroke,
-  type Summary,
 } from '../protocol/protocol';
 import type { CoreEvent } from '../worker/core-client';
 import { dimensionText } from './dimension';
@@ -46,8 +46,8 @@ class Pictures implements Panel {
   /** A note over a picture of an earlier run. */
   readonly #oldNote = make('p', { className: 'old-picture', part: 'old-picture', hidden: true });
   readonly #place = new PointerPlace();
-  /** The counts of the newest run, until its picture arrives. */
-  #pendingSummary: Summary | undefined;
+  /** The report of the newest run, until its picture arrives. */
+  #pendingReport: Report | undefined;
   /** The run of the old picture. */
   #oldRun: number | undefined;
   /** How the picture relates to the newest run; `old`: that run has failed. */
@@ -109,16 +109,21 @@ class Pictures implements Panel {
   onEvent(event: CoreEvent): void {
     if (event.kind === 'old-picture') this.#setOldRun(event.of);
     // The text beside a picture belongs to the run of that picture.
-    if (this.#oldRun !== undefined && event.kind === 'report') this.#pendingSummary = event.report.summary;
-    if (this.#oldRun !== undefined) return;
+    if (this.#oldRun !== undefined) {
+      if (event.kind === 'report') this.#pendingReport = event.report;
+      return;
+    }
     if (event.kind === 'path') this.#drawings.section.summary = event.summary;
-    if (event.kind === 'report' && event.report.views !== undefined)
-      this.#drawings.section.work = event.report.views.work;
-    if (event.kind !== 'report') return;
-    this.#drawings.section.summary = event.report.summary;
-    this.#unit = event.report.units.shown;
+    if (event.kind === 'report') this.#showReport(event.report);
+  }
+
+  /** Shows the texts of a run beside its picture. */
+  #showReport({ summary, views, units, overview }: Report): void {
+    if (views !== undefined) this.#drawings.section.work = views.work;
+    this.#drawings.section.summary = summary;
+    this.#unit = units.shown;
     this.#place.setUnit(this.#unit, this.#shell.language);
-    const [x, z] = event.report.overview.start ?? [];
+    const [x, z] = overview.start ?? [];
     this.#drawings.section.start =
       x === undefined || z === undefined ? '' : `X${formatLength(x, this.#unit)} Z${formatLength(z, this.#unit)}`;
     for (const drawing of Object.values(this.#drawings)) drawing.repeatHitTest();
@@ -126,9 +131,9 @@ class Pictures implements Panel {
 
   onPictures(images: Images, scale: SectionScale): void {
     if (this.#oldRun !== undefined) {
-      const summary = this.#pendingSummary;
+      const report = this.#pendingReport;
       this.#setOldRun(undefined);
-      if (summary !== undefined) this.#drawings.section.summary = summary;
+      if (report !== undefined) this.#showReport(report);
     }
     this.#pictureState = 'current';
     this.#showOldNote();
@@ -141,7 +146,7 @@ class Pictures implements Panel {
 
   #setOldRun(run: number | undefined): void {
     this.#oldRun = run;
-    this.#pendingSummary = undefined;
+    this.#pendingReport = undefined;
     this.#showOldNote();
   }
 
