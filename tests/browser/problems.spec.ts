@@ -468,6 +468,20 @@ test('while a word of a contour is typed, the previous picture stays, labelled a
   });
 });
 
+test('the list opens without problems if a rule is hidden', async ({ page }) => {
+  await open(page);
+  await type(page, 'T0101\nG97 S500 M03\nG00 X60 Z5\nM30\n');
+  await settled(page);
+  const toggle = page.getByRole('button', { name: 'No problems' });
+  await expect(toggle).toBeDisabled();
+  await page.locator('gcode-playground').evaluate((element) => {
+    (element as unknown as { setup: string }).setup = '{"rules": {"cut-too-deep": "off"}}';
+  });
+  await settled(page);
+  await toggle.click();
+  await expect(problems(page).getByRole('button', { name: /cut-too-deep/ })).toBeVisible();
+});
+
 test('the legend belongs to the previous picture while it stays, and then to the current one', async ({ page }) => {
   await open(page);
   await type(page, 'G50 X60 Z40\nG00 X32 Z2 M03 S500\nG90 X26 Z-20 F0.2\nG00 X60 Z40\nM30\n');

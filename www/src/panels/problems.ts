@@ -182,6 +182,7 @@ class Problems implements Panel {
     const counts = SEVERITIES.map(
       (severity) => [severity, this.#diagnostics.filter((found) => found.severity === severity).length] as const,
     ).filter(([, count]) => count > 0);
+    this.#toggle.disabled = counts.length === 0 && this.#rulesOff.length === 0;
     const key = JSON.stringify([this.#shell.language, counts]);
     if (key === this.#shownCounts) return;
     this.#shownCounts = key;
@@ -193,7 +194,6 @@ class Problems implements Panel {
     const spoken = counts.map(([severity, count]) => strings.count[severity](count)).join(', ');
     const text = counts.length === 0 ? strings.noProblems : strings.problemsOf(spoken);
     setAccessibleName(this.#toggle, text);
-    this.#toggle.disabled = counts.length === 0 && this.#rulesOff.length === 0;
   }
 
   #render(): void {
