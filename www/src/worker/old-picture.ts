@@ -17,11 +17,13 @@ interface PictureInfo {
 
 export class OldPicture {
   readonly #core: Playground;
-  /** The last picture of a complete path. */
+  /** The last picture of a complete path on the page. */
   #lastPicture: PictureInfo | undefined;
+  /** The last one that was drawn; the page drops it if another run has started there. */
+  #drawn: PictureInfo | undefined;
   /**
-   * The line in which the current run was typed; undefined if its text changed otherwise, or the cursor has left the
-   * line.
+   * The line in which the current run was typed; undefined if its text changed otherwise, the cursor has left the line, or
+   * the picture was changed.
    */
   #typedLine: number | undefined;
   /** The page shows the picture of an earlier run, while the cursor stays in this line. */
@@ -39,12 +41,20 @@ export class OldPicture {
   /** A run starts; the core has its text. */
   onRunStarted(change: BeginRun): void {
     this.#typedLine = this.#findTypedLine(change);
+    // The last picture may be of another program, if this run is replaced before it is drawn.
+    if (this.#typedLine === undefined) this.#lastPicture = this.#drawn = undefined;
   }
 
   /** The current run is drawn. */
   onDrawn(run: number): void {
     const [motions = 0, errors = 0] = this.#core.motionsAndErrors();
-    this.#lastPicture = { run, motions, errors };
+    this.#drawn = { run, motions, errors };
+  }
+
+  /** The page has shown or dropped the last pictures. */
+  onReceived(isDropped: boolean): void {
+    if (isDropped) this.#drawn = undefined;
+    else this.#lastPicture = this.#drawn ?? this.#lastPicture;
   }
 
   /** The path of the run is complete. Returns the run whose picture stays; undefined if the new run is drawn. */
@@ -63,8 +73,8 @@ export class OldPicture {
 
   /** A command was executed. Returns what becomes of the old picture; undefined if there is none. */
   onCommand(command: Command): 'kept' | 'dropped' | undefined {
-    // The user may leave the line while its run is in progress.
-    if (this.#typedLine !== undefined && this.#leavesLine(command, this.#typedLine)) this.#typedLine = undefined;
+    // The user may leave the line or change the picture while its run is in progress.
+    if (this.#typedLine !== undefined && !this.#isKept(command, this.#typedLine)) this.#typedLine = undefined;
     if (this.#shown === undefined) return undefined;
     if (this.#isKept(command, this.#shown.line)) return 'kept';
     this.drop();

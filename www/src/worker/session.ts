@@ -214,6 +214,7 @@ export class Session implements Waiter {
     shown: {
       draws: 'no',
       execute(session, { dropped }) {
+        session.#oldPicture.onReceived(dropped);
         if (!dropped) return session.#drawing.onShown();
         session.#drawing.onDropped();
         if (!session.#oldPicture.isShown) session.#drawing.request('when-complete');
