@@ -232,7 +232,7 @@ fn steps(text: &str, line: u32) -> Vec<(&'static str, [(f64, f64); 2])> {
     found
 }
 
-/// The annotations of a figure, and those of its details.
+/// The annotations of a figure and of its details.
 fn with_details(figure: &Figure) -> Vec<&Annotation> {
     let inside = figure.annotations.iter().flat_map(|own| match &own.shape {
         Shape::Detail(detail) => &detail.annotations[..],
@@ -411,7 +411,7 @@ fn a_taper_has_its_size_at_the_blank() {
     assert_has(&values(turning, "{}", 3), &["Ø58", "Ø38", "R = −10.8", "10", "25"]);
 }
 
-/// Seed 004: R-20 from X54 is at Ø50 at Z-20 · 20/24 = Z-16.667; what it leaves is between there, C and E.
+/// Seed 004: R-20 from X54 is at Ø50 at Z-20 · 20/24 = Z-16.667; the material that it leaves is between this point, C and E.
 #[test]
 fn the_figure_of_g94_hatches_what_a_smaller_r_leaves() {
     let (_, figure) =
@@ -430,7 +430,7 @@ fn the_figure_of_g94_hatches_what_a_smaller_r_leaves() {
     assert!(is_same(&way, &[(54.0, -20.0), (30.0, 0.0)]), "{way:?}");
 }
 
-/// Passes at X45, X40 and X35: the drawing has Ø35, the words of the block are those of its own pass. The last taper from
+/// Passes at X45, X40 and X35: the drawing has Ø35, the words of the block belong to its pass. The last taper from
 /// X18.4 at Z2 to X40 at Z-25 is at Ø20 at the face: 10 over 25.
 #[test]
 fn the_diameter_of_a_single_cycle_is_the_finished_one() {
@@ -497,7 +497,7 @@ fn the_detail_of_the_allowance_is_at_a_corner_or_at_a_land() {
     }
 }
 
-/// C of G71 is 0.32 mm from A, D of G73 is 0.56 mm: these are in a detail of their own, with the move between them.
+/// C of G71 is 0.32 mm from A, D of G73 is 0.56 mm: each has a separate detail, with the move between them.
 #[test]
 fn a_point_near_the_start_is_in_a_detail() {
     for (program, expected) in [

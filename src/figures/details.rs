@@ -14,7 +14,7 @@ const MAX_PASSES: usize = 60;
 /// Length of the pieces of a contour in its detail, as a multiple of the allowance: at most, and at least.
 const LONGEST: f64 = 4.0;
 const SHORTEST: f64 = 2.0;
-/// A point nearer to the start than this share of the extent of the cycle cannot be told apart from it.
+/// A point nearer to the start than this share of the extent of the cycle is indistinguishable from it.
 const NEAR_START: f64 = 0.03;
 /// Length of the pieces of moves in the detail of the start, as a multiple of that distance.
 const LONGEST_AT_START: f64 = 1.5;
@@ -87,7 +87,7 @@ pub fn add_allowance(call: &Call, all: &mut Vec<Annotation>) {
     all.push(Annotation::detail(detail));
 }
 
-/// Moves a point that cannot be told apart from the start A, which is C of G71 and G72 and D of G73, to a detail: with the
+/// Moves a point that is indistinguishable from the start A, which is C of G71 and G72 and D of G73, to a detail: with the
 /// moves to it and from it, and its distances.
 pub fn add_start(call: &Call, all: &mut Vec<Annotation>) {
     let name = match call.cycle {

@@ -51,7 +51,7 @@ impl Call {
     }
 }
 
-/// The drawing of the cone of G94 with its length, and what a cut with this length as R would leave: it starts at G, above
+/// The drawing of the cone of G94 with its length, and the material that a cut with this length as R would leave: it starts at G, above
 /// the corner C. `at`: C.
 fn undercut(cut: &Motion, at: Point) -> [Annotation; 4] {
     let end = cut.to;

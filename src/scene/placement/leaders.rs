@@ -1,4 +1,4 @@
-//! Leader lines: a label at the nearest free place, with a line to what it marks.
+//! Leader lines: a label at the nearest free place, with a line to its feature.
 //!
 //! In: a candidate whose label has no place. Out: the same with its label elsewhere.
 

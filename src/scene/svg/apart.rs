@@ -96,7 +96,7 @@ impl Apart {
         }
     }
 
-    /// An annotation where its strokes are drawn. The ends of a stroke are those of that stroke, even if other strokes are at
+    /// An annotation where its strokes are drawn. The ends of a stroke move with it, even if other strokes are at
     /// the same points.
     pub(super) fn annotated(&self, scene: &Scene, shape: &Shape) -> Shape {
         let ends = match shape {
