@@ -119,7 +119,7 @@ pub struct InFile<'a, T> {
     pub row: T,
 }
 
-/// A row about a message, with the title and help of its rule.
+/// A row about a message, with the title and the page of its rule.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OfRule<T> {
     /// The row.

@@ -86,23 +86,15 @@ impl Report<'_> {
         }
     }
 
-    /// The diameter at the crests of a thread: the greatest of an external thread, the least of an internal one, within
-    /// two leads at the middle.
-    fn crest(&self, index: usize, edge: &Edge, lead: f64) -> Measured {
+    /// The radius at the crests of a thread, mm: the greatest of an external thread, the least of an internal one, within two
+    /// leads at the middle.
+    fn crest(&self, edge: &Edge, lead: f64) -> Option<f64> {
         let at = edge.middle();
         let places = (-CREST_PLACES..=CREST_PLACES)
             .map(|place| at.z + lead * f64::from(place) / f64::from(CREST_PLACES));
         let radii = places.filter_map(|z| self.shape.radius(z, edge, at.x));
         let is_outside = edge.inwards.x < 0.0;
-        let actual = if is_outside { radii.reduce(f64::max) } else { radii.reduce(f64::min) };
-        Measured {
-            quantity: Quantity::Crest,
-            at,
-            nominal: Diameter::from_radius(at.x).mm(),
-            actual: actual.map(|radius| Diameter::from_radius(radius).mm()),
-            tolerance: edge.tolerance,
-            edge: index,
-        }
+        if is_outside { radii.reduce(f64::max) } else { radii.reduce(f64::min) }
     }
 
     /// Places on an edge, without its ends and the rounding of inside corners, at round values of Z.
@@ -221,14 +213,16 @@ impl Report<'_> {
             tolerance,
             edge: index,
         };
-        let root = found.map(|own| Diameter::from_radius(own.depth).mm());
+        let diameter = |radius: f64| Diameter::from_radius(radius).mm();
+        let root = found.map(|own| diameter(own.depth));
+        let crest = self.crest(edge, wanted.lead).map(diameter);
         let right = self.target.right;
         let length = Tolerance { lower: -SHORTER * wanted.lead, upper: LONGER * wanted.lead };
         [
             row(Quantity::Lead, wanted.lead, found.map(|own| own.lead.abs()), LEAD),
             row(Quantity::Root, wanted.root.mm(), root, wanted.tolerance),
             row(Quantity::ThreadLength, right - low, found.map(|own| right - own.z[0]), length),
-            self.crest(index, edge, wanted.lead),
+            row(Quantity::Crest, diameter(edge.middle().x), crest, edge.tolerance),
         ]
     }
 }

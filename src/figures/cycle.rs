@@ -36,12 +36,10 @@ impl Call {
         let first = range.start;
         let own: Vec<Motion> = range.take(MAX_MOTIONS).map(|index| motions.get_on_workpiece(index)).collect();
         let cycle = own.first()?.cycle?.cycle;
-        let is_single = Single::of(cycle).is_some();
-        let finish = calls(motions, first)
-            .rev()
-            .map(|index| motions.get_on_workpiece(index))
-            .find(|motion| is_step(motion, Step::Cut))
-            .filter(|_| is_single);
+        let finish = Single::of(cycle).and_then(|_| {
+            let mut all = calls(motions, first).rev().map(|index| motions.get_on_workpiece(index));
+            all.find(|motion| is_step(motion, Step::Cut))
+        });
         Some(Self { first, cycle, finish, own })
     }
 
@@ -118,7 +116,7 @@ impl Call {
     /// all contours of the run.
     pub fn letters(&self, block: Span, landmarks: &[Landmarks]) -> Vec<Annotation> {
         let (step, last) = (|step: Step| self.step(step), |step: Step| self.last(step));
-        let start = self.own[0].from;
+        let start = self.start();
         let mut points = vec![(start, "A")];
         match self.cycle {
             cycle if Single::of(cycle).is_some() => {
@@ -198,7 +196,7 @@ impl Call {
         });
         let z = word.or(out.map(|out| out.to.z));
         let Some(end) = end.map(|cut| programmed_end(cut, z)) else { return Vec::new() };
-        let start = self.own[0].from;
+        let start = self.start();
         let (x, z) = (end.x - start.x, end.z - start.z);
         // Beside the end of the cut, and above the way back: there are no other strokes.
         let across = Shape::Radial([Point::new(start.x, end.z), end]);

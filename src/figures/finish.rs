@@ -4,7 +4,7 @@
 //! material that remains if R is only the length of the cone in the drawing (seed 004).
 
 use super::cycle::{Call, SAME_DEPTH};
-use crate::cycles::single::{Single, Work};
+use crate::cycles::single::{Single, Work, cuts_along_x};
 use crate::geometry::{Point, at_share};
 use crate::motion::{Motion, Step};
 use crate::scene::annotation::{Annotation, Importance, Label, Measure, Shape};
@@ -15,11 +15,10 @@ impl Call {
     /// Moves the diameter of the end point to the last of adjacent calls: a drawing has the finished diameter.
     pub fn finish_diameter(&self, all: &mut [Annotation]) {
         let Some(finish) = self.finish else { return };
-        let work = Single::of(self.cycle).map(Single::work);
+        let is_facing = cuts_along_x(self.cycle);
         for own in all {
             if let (Shape::Diameter(at), Some(Measure::Diameter(_))) = (&own.shape, own.label.value) {
-                let place =
-                    if work == Some(Work::Facing) { finish.to } else { Point::new(finish.to.x, at.z) };
+                let place = if is_facing { finish.to } else { Point::new(finish.to.x, at.z) };
                 *own = diameter(place);
             }
         }
@@ -51,8 +50,8 @@ impl Call {
     }
 }
 
-/// The drawing of the cone of G94 with its length, and the material that a cut with this length as R would leave: it starts at G, above
-/// the corner C. `at`: C.
+/// The drawing of the cone of G94 with its length, and the material that a cut with this length as R would leave: this cut
+/// starts at G, above the corner C. `at`: C.
 fn undercut(cut: &Motion, at: Point) -> [Annotation; 4] {
     let end = cut.to;
     let start = Point::new(cut.from.x, at.z);

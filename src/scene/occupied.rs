@@ -77,10 +77,9 @@ impl Occupied {
         if let Some(work) = scene.work() {
             let outlines = closed(&work.part).into_iter().chain(closed(&work.obstacles));
             map.outlines(outlines, scene.plane(), camera);
-            let drawn = std::mem::take(&mut map.cells);
-            map.cells = vec![false; drawn.len()];
-            map.outlines(closed(&work.blank).into_iter(), scene.plane(), camera);
-            map.thin = std::mem::replace(&mut map.cells, drawn);
+            let mut thin = Self::empty(camera);
+            thin.outlines(closed(&work.blank).into_iter(), scene.plane(), camera);
+            map.thin = thin.cells;
         }
         map
     }

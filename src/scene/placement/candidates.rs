@@ -55,6 +55,22 @@ pub(super) struct Candidate {
     pub(super) feature: Feature,
 }
 
+impl Candidate {
+    /// A label in an area, without lines.
+    pub(super) fn label(area: Rectangle, feature: Feature) -> Self {
+        Self {
+            lines: Vec::new(),
+            extensions: Vec::new(),
+            heads: Vec::new(),
+            dots: Vec::new(),
+            area,
+            leader: None,
+            ends: Vec::new(),
+            feature,
+        }
+    }
+}
+
 /// What the label of a candidate marks; a leader leads to it.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Feature {
@@ -97,16 +113,7 @@ pub(super) fn around_point(at: Pixel, size: [f64; 2], dot: bool) -> Vec<Candidat
             let lines = if distance > BESIDE || !dot { vec![vec![at, area.nearest(at)]] } else { Vec::new() };
             let dots = if dot { vec![at] } else { Vec::new() };
             let feature = Feature::Place(at);
-            all.push(Candidate {
-                lines,
-                extensions: Vec::new(),
-                heads: Vec::new(),
-                dots,
-                leader: None,
-                ends: Vec::new(),
-                area,
-                feature,
-            });
+            all.push(Candidate { lines, dots, ..Candidate::label(area, feature) });
         }
     }
     all
@@ -114,15 +121,11 @@ pub(super) fn around_point(at: Pixel, size: [f64; 2], dot: bool) -> Vec<Candidat
 
 /// Positions of a number beside a stroke, at its middle first.
 pub(super) fn beside(stroke: [Pixel; 2], size: [f64; 2]) -> Vec<Candidate> {
-    let candidate = |share: f64, side: f64| Candidate {
-        lines: Vec::new(),
-        extensions: Vec::new(),
-        heads: Vec::new(),
-        dots: Vec::new(),
-        leader: None,
-        ends: Vec::new(),
-        area: area_beside(stroke, share, FROM_STROKE * side, size),
-        feature: Feature::Stroke(Pixel::at_share(stroke, share)),
+    let candidate = |share: f64, side: f64| {
+        Candidate::label(
+            area_beside(stroke, share, FROM_STROKE * side, size),
+            Feature::Stroke(Pixel::at_share(stroke, share)),
+        )
     };
     let is_long = stroke[0].distance(stroke[1]) >= LONG;
     on_both_sides(if is_long { &SHARES_OF_LONG[..] } else { &SHARES[..] }, candidate)
@@ -139,13 +142,11 @@ pub(super) fn beside_arrow(stroke: [Pixel; 2], size: [f64; 2]) -> Vec<Candidate>
         let [from, to] = [-half, half].map(|by| Pixel::new(middle.x + by * unit.x, middle.y + by * unit.y));
         Candidate {
             lines: vec![vec![from, to]],
-            extensions: Vec::new(),
             heads: vec![head(from, to)],
-            dots: Vec::new(),
-            leader: None,
-            ends: Vec::new(),
-            area: area_beside(stroke, share, side * (ARROW_AWAY + 3.0), size),
-            feature: Feature::Stroke(middle),
+            ..Candidate::label(
+                area_beside(stroke, share, side * (ARROW_AWAY + 3.0), size),
+                Feature::Stroke(middle),
+            )
         }
     };
     on_both_sides(&SHARES, candidate)
@@ -192,11 +193,7 @@ pub(super) fn dimension_lines([a, b]: [Pixel; 2], size: [f64; 2], out: f64) -> V
                 lines,
                 extensions,
                 heads,
-                dots: Vec::new(),
-                leader: None,
-                ends: Vec::new(),
-                area,
-                feature: Feature::DimensionLine,
+                ..Candidate::label(area, Feature::DimensionLine)
             });
         }
     }
@@ -227,11 +224,7 @@ pub(super) fn dimension_columns([a, b]: [Pixel; 2], is_on_axis: [bool; 2], size:
                     lines,
                     extensions,
                     heads,
-                    dots: Vec::new(),
-                    leader: None,
-                    ends: Vec::new(),
-                    area,
-                    feature: Feature::DimensionLine,
+                    ..Candidate::label(area, Feature::DimensionLine)
                 });
             }
             // Beside the line, on the side away from the points.
@@ -243,11 +236,7 @@ pub(super) fn dimension_columns([a, b]: [Pixel; 2], is_on_axis: [bool; 2], size:
                 lines,
                 extensions,
                 heads,
-                dots: Vec::new(),
-                leader: None,
-                ends: Vec::new(),
-                area,
-                feature: Feature::DimensionLine,
+                ..Candidate::label(area, Feature::DimensionLine)
             });
         }
     }
@@ -276,11 +265,7 @@ pub(super) fn diameters(ends: [Pixel; 2], size: [f64; 2], first: f64) -> Vec<Can
                         lines: lines.clone(),
                         extensions: extensions.to_vec(),
                         heads: heads.clone(),
-                        dots: Vec::new(),
-                        leader: None,
-                        ends: Vec::new(),
-                        area,
-                        feature: Feature::DimensionLine,
+                        ..Candidate::label(area, Feature::DimensionLine)
                     });
                 }
             }
@@ -303,13 +288,8 @@ pub(super) fn radii(center: Pixel, on: Pixel, size: [f64; 2]) -> Vec<Candidate> 
             let area = Rectangle::around(middle, size[0], size[1]);
             all.push(Candidate {
                 lines: vec![vec![tail, on]],
-                extensions: Vec::new(),
                 heads: vec![head(tail, on)],
-                dots: Vec::new(),
-                leader: None,
-                ends: Vec::new(),
-                area,
-                feature: Feature::Place(tail),
+                ..Candidate::label(area, Feature::Place(tail))
             });
         }
     }
@@ -344,11 +324,7 @@ pub(super) fn angles([vertex, base, end]: [Pixel; 3], size: [f64; 2]) -> Vec<Can
                 lines: vec![arc.clone()],
                 extensions: arms.to_vec(),
                 heads: heads.clone(),
-                dots: Vec::new(),
-                leader: None,
-                ends: Vec::new(),
-                area,
-                feature: Feature::Place(arc[6]),
+                ..Candidate::label(area, Feature::Place(arc[6]))
             });
         }
     }

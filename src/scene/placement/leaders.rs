@@ -49,15 +49,10 @@ impl Placing<'_> {
         if is_marked || !self.has_free_lines(&candidate) {
             return None;
         }
-        let fine = || {
-            if longest.is_finite() {
-                None
-            } else {
-                self.nearest_free(&candidate, feature, size, longest, TURNS[1])
-            }
-        };
-        let found = self.nearest_free(&candidate, feature, size, longest, TURNS[0]);
-        let (area, leader) = found.or_else(fine)?;
+        let turns = if longest.is_finite() { &TURNS[..1] } else { &TURNS[..] };
+        let found =
+            turns.iter().find_map(|turns| self.nearest_free(&candidate, feature, size, longest, *turns));
+        let (area, leader) = found?;
         let ends = if leader.is_some() { ends } else { Vec::new() };
         Some(Candidate { leader, ends, area, ..candidate })
     }

@@ -327,16 +327,8 @@ impl<'a> Placing<'a> {
         let unit = direction(tip, towards);
         let tail = Pixel::new(tip.x - 20.0 * unit.x, tip.y - 20.0 * unit.y);
         let middle = beyond(tail, Pixel::new(-unit.x, -unit.y), size);
-        Candidate {
-            lines: vec![vec![tail, tip]],
-            extensions: Vec::new(),
-            heads: vec![head(tail, tip)],
-            dots: Vec::new(),
-            area: Rectangle::around(middle, size[0], size[1]),
-            feature: Feature::DimensionLine,
-            ends: Vec::new(),
-            leader: None,
-        }
+        let label = Candidate::label(Rectangle::around(middle, size[0], size[1]), Feature::DimensionLine);
+        Candidate { lines: vec![vec![tail, tip]], heads: vec![head(tail, tip)], ..label }
     }
 
     fn add_outline(&mut self, corners: &[Point]) {

@@ -99,16 +99,13 @@ impl Apart {
     /// An annotation where its strokes are drawn. The ends of a stroke move with it, even if other strokes are at
     /// the same points.
     pub(super) fn annotated(&self, scene: &Scene, shape: &Shape) -> Shape {
-        let ends = match shape {
-            Shape::Step(ends) | Shape::Axial(ends) | Shape::Radial(ends) => self.ends(scene, *ends),
+        let of_stroke = match *shape {
+            Shape::Step(ends) => self.ends(scene, ends).map(Shape::Step),
+            Shape::Axial(ends) => self.ends(scene, ends).map(Shape::Axial),
+            Shape::Radial(ends) => self.ends(scene, ends).map(Shape::Radial),
             _ => None,
         };
-        match (shape, ends) {
-            (Shape::Step(_), Some(ends)) => Shape::Step(ends),
-            (Shape::Axial(_), Some(ends)) => Shape::Axial(ends),
-            (Shape::Radial(_), Some(ends)) => Shape::Radial(ends),
-            _ => shape.map(|at| self.point(scene, at)),
-        }
+        of_stroke.unwrap_or_else(|| shape.map(|at| self.point(scene, at)))
     }
 
     /// Where the ends of a straight stroke are drawn; `None` without a displaced stroke between them.
