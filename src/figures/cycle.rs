@@ -14,7 +14,7 @@ use crate::cycles::threading::{LEAD_ERROR, run_in, run_out};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, at_share};
 use crate::motion::{Cycle, CycleFamily, Motion, Motions, SpindleSpeed, Step};
-use crate::scene::annotation::{Annotation, Importance, Measure, Shape};
+use crate::scene::annotation::{Annotation, Importance, Label, Measure, Shape};
 use crate::source::Span;
 
 /// A call of a cycle.
@@ -226,11 +226,11 @@ impl Call {
                 own.push(Annotation::dimension(
                     Shape::Axial([cut.from, until]),
                     "δ1",
-                    Measure::Length(first),
+                    Measure::AtLeast(first),
                 ));
                 let from = at_share(ends, 1.0 - last / length);
                 let run_out =
-                    Annotation::dimension(Shape::Axial([from, cut.to]), "δ2", Measure::Length(last));
+                    Annotation::dimension(Shape::Axial([from, cut.to]), "δ2", Measure::AtLeast(last));
                 own.extend(Some(run_out).filter(|_| out.is_none()));
             }
         }
@@ -243,8 +243,17 @@ impl Call {
         own
     }
 
-    /// Numbers the passes of G73, whose number is no length: `1` at the first one, `d = 10` at the last one.
+    /// Numbers the first and the last pass: `1` and `d = 10` of G73, whose number of passes is no length, `n = 1` and
+    /// `n = 12` of G76.
     pub fn add_pass_numbers(&self, all: &mut Vec<Annotation>) {
+        if self.cycle == Cycle::MultiThreading {
+            let ends = [self.step(Step::Cut), self.last(Step::Cut)].into_iter().flatten();
+            all.extend(ends.map(|cut| Annotation {
+                shape: Shape::Step([cut.from, cut.to]),
+                label: Label { name: "n", value: Some(Measure::Count(f64::from(pass_of(cut)))) },
+                importance: Importance::Usual,
+            }));
+        }
         let is_count = |own: &Annotation| matches!(own.label.value, Some(Measure::Count(_)));
         let Some(count) = all.iter().find(|own| is_count(own)).map(|own| own.label.clone()) else { return };
         let numbers = || self.steps(Step::Contour).map(pass_of);

@@ -6,8 +6,9 @@
 use super::NUMBERS;
 use super::cycle::{Call, SAME_DEPTH, length_of, pass_of};
 use crate::geometry::{Point, at_share};
-use crate::motion::{Cycle, Motion, Step};
+use crate::motion::{Cycle, Motion, MotionKind, Step};
 use crate::scene::annotation::{Annotation, Detail, Measure, Shape};
+use crate::units::Diameter;
 
 /// Maximum number of passes in a detail.
 const MAX_PASSES: usize = 60;
@@ -83,6 +84,7 @@ pub fn add_allowance(call: &Call, all: &mut Vec<Annotation>) {
         edges: vec![edge],
         part: vec![part],
         annotations,
+        ..Detail::default()
     };
     all.push(Annotation::detail(detail));
 }
@@ -103,13 +105,16 @@ pub fn add_start(call: &Call, all: &mut Vec<Annotation>) {
     };
     let Some(at) = all.iter().filter(|own| own.label.name == name).find_map(place) else { return };
     let reach = at.distance(start);
-    let piece = |from: Point, to: Point| {
+    let piece = |motion: &Motion, from: Point, to: Point| {
         let share = (LONGEST_AT_START * reach / from.distance(to)).min(1.0);
-        vec![from, at_share([from, to], share)]
+        (motion.kind, [from, at_share([from, to], share)])
     };
     let to = call.steps(Step::Approach).find(|motion| motion.to.is_same(at));
     let from = call.steps(Step::Infeed).find(|motion| motion.from.is_same(at));
-    let ways = [to.map(|motion| piece(at, motion.from)), from.map(|motion| piece(at, motion.to))];
+    let ways =
+        [to.map(|motion| piece(motion, at, motion.from)), from.map(|motion| piece(motion, at, motion.to))];
+    let ways = ways.into_iter().flatten();
+    let (rapids, cuts): (Vec<_>, Vec<_>) = ways.partition(|(kind, _)| *kind == MotionKind::Rapid);
     let across = Shape::Radial([at, Point::new(start.x, at.z)]);
     let along = Shape::Axial([at, Point::new(at.x, start.z)]);
     let mut annotations = vec![Annotation::point(start, "A"), Annotation::point(at, name)];
@@ -128,7 +133,8 @@ pub fn add_start(call: &Call, all: &mut Vec<Annotation>) {
     let detail = Detail {
         at: start,
         radius: 1.5 * reach,
-        lines: ways.into_iter().flatten().collect(),
+        lines: cuts.into_iter().map(|(_, ends)| ends.to_vec()).collect(),
+        rapids: rapids.into_iter().map(|(_, ends)| ends).collect(),
         annotations,
         ..Detail::default()
     };
@@ -190,6 +196,14 @@ pub fn add_infeed(call: &Call, all: &mut Vec<Annotation>) {
         return;
     }
     let leads = call.last(Step::Cut).map_or(0.0, leads_to_middle);
+    // A taper thread has no single diameter.
+    let straight = call.last(Step::Cut).filter(|cut| (cut.from.x - cut.to.x).abs() < SAME_DEPTH);
+    if let (Some(height), Some(last)) = (length_of(all, "k"), straight) {
+        let out = (call.home() - last.from.x).signum();
+        let crest = after_leads(*last, leads).from.moved(Point::new(out * height, 0.0));
+        let diameter = Measure::Diameter(Diameter::from_radius(crest.x).mm());
+        all.push(Annotation::dimension(Shape::Diameter(crest), "", diameter));
+    }
     let cuts: Vec<Motion> = call.steps(Step::Cut).map(|cut| after_leads(*cut, leads)).collect();
     let Some(detail) = infeed(all, &cuts, call.home()) else { return };
     all.retain(|annotation| !DEPTHS.contains(&annotation.label.name));
@@ -296,7 +310,7 @@ fn infeed(all: &[Annotation], cuts: &[Motion], home: f64) -> Option<Detail> {
         radius: ((right - left) / 2.0).max(0.6 * height),
         lines,
         edges,
-        part: Vec::new(),
         annotations,
+        ..Detail::default()
     })
 }

@@ -51,8 +51,8 @@ impl Call {
 }
 
 /// The drawing of the cone of G94 with its length, and the material that a cut with this length as R would leave: this cut
-/// starts at G, above the corner C. `at`: C.
-fn undercut(cut: &Motion, at: Point) -> [Annotation; 4] {
+/// starts at G, above the corner C, and enters the blank at a shorter distance from the face. `at`: C.
+fn undercut(cut: &Motion, at: Point) -> [Annotation; 5] {
     let end = cut.to;
     let start = Point::new(cut.from.x, at.z);
     let surface = at_share([start, end], (at.x - start.x) / (end.x - start.x));
@@ -61,11 +61,14 @@ fn undercut(cut: &Motion, at: Point) -> [Annotation; 4] {
     let mark = at_share([at_share([at, surface], 0.5), end], 0.2);
     let zone = Shape::Zone { outline: vec![at, end, surface], way: [start, end], mark };
     let label = Label { name: "", value: Some(Measure::Coordinate('R', length)) };
-    let drawn = Shape::Axial([Point::new(at.x, end.z), at]);
+    let entered = Shape::Axial([Point::new(surface.x, end.z), surface]);
+    // Below the axis, where there are no strokes.
+    let drawn = Shape::Axial([end.z, at.z].map(|z| Point::new(-at.x, z)));
     [
         Annotation::point(at, "C"),
         Annotation::point(start, "G"),
-        Annotation::dimension(drawn, "", Measure::Length(length.abs())),
+        below_axis(drawn, length),
+        Annotation::dimension(entered, "", Measure::Length((surface.z - end.z).abs())),
         Annotation { shape: zone, label, importance: Importance::Usual },
     ]
 }
@@ -75,11 +78,12 @@ fn height_over_length(cut: &Motion, at: Point) -> [Annotation; 2] {
     let [corner, end] = [at, cut.to].map(|at| Point::new(-at.x, at.z));
     let across = Shape::Radial([corner, Point::new(end.x, corner.z)]);
     let along = Shape::Axial([corner, end]);
-    // In a window, only the half above the axis may be visible.
-    [(across, end.x - corner.x), (along, end.z - corner.z)].map(|(shape, mm)| Annotation {
-        importance: Importance::Low,
-        ..Annotation::dimension(shape, "", Measure::Length(mm.abs()))
-    })
+    [below_axis(across, end.x - corner.x), below_axis(along, end.z - corner.z)]
+}
+
+/// A length below the axis. In a window, only the half above the axis may be visible.
+fn below_axis(shape: Shape, mm: f64) -> Annotation {
+    Annotation { importance: Importance::Low, ..Annotation::dimension(shape, "", Measure::Length(mm.abs())) }
 }
 
 fn diameter(at: Point) -> Annotation {

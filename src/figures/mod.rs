@@ -25,17 +25,20 @@ use cycle::Call;
 use crate::assist::Query;
 use crate::assist::form::Form;
 use crate::control::codes::cycles::CycleBlock;
-use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::{Point, SAME};
 use crate::machine::SimulationResult;
 use crate::machine::feature::threads;
 use crate::machine::resolved_setup::Basis;
 use crate::motion::Motions;
 use crate::run::Run;
 use crate::run::replay::{Found, VisitChoice};
-use crate::scene::annotation::{Annotation, Importance, Shape};
+use crate::scene::annotation::{Annotation, Importance, Measure, Shape};
 use crate::setup::Stock;
+use crate::setup::tool::ToolKind;
 use crate::source::LineIndex;
 use crate::text::parser::Resume;
+use crate::units::Diameter;
 
 /// Maximum number of blocks that are executed again to find a block; with more, a figure would delay the page.
 const MAX_BLOCKS: usize = 200_000;
@@ -146,20 +149,41 @@ fn cycle_block(asked: &Query) -> Option<CycleBlock> {
     }
 }
 
-/// The insert of the tool of a figure at the start of its first cut, if the setup has the tool.
-pub fn of_tool(
-    simulation: &SimulationResult,
-    motions: &Motions,
-    shown: &[Range<usize>],
-) -> Option<Annotation> {
-    let mut own = shown.iter().flat_map(Clone::clone).map(|index| motions.get_on_workpiece(index));
-    let first = own.find(|motion| motion.kind.cuts())?;
+/// The insert of the tool of a figure at the start of its first cut, if the setup has the tool; with the width of a
+/// grooving insert and of its groove, or the diameter of a drill.
+pub fn of_tool(simulation: &SimulationResult, motions: &Motions, shown: &[Range<usize>]) -> Vec<Annotation> {
+    let own = || shown.iter().flat_map(Clone::clone).map(|index| motions.get_on_workpiece(index));
+    let mut cuts = own().filter(|motion| motion.kind.cuts());
+    let Some(first) = cuts.next() else { return Vec::new() };
+    let last = cuts.next_back().unwrap_or(first);
     let tool = simulation.resolved_setup().tool(&first);
     if tool.basis != Basis::Given {
-        return None;
+        return Vec::new();
     }
-    let edge = tool.shape.edge.points();
-    Some(Annotation::outline(edge.iter().map(|corner| corner.moved(first.from)).collect()))
+    let edge: Vec<Point> = tool.shape.edge.points().iter().map(|corner| corner.moved(first.from)).collect();
+    let bounds = edge.iter().fold(Bounds::of(first.from), |bounds, corner| bounds.with(*corner));
+    let size = match tool.tool.kind {
+        Some(ToolKind::Drill) => {
+            // At the end of its point.
+            let is_widest = |corner: &&Point| corner.x > bounds.max.x - SAME;
+            let shoulder = edge.iter().filter(is_widest).min_by(|a, b| a.z.total_cmp(&b.z));
+            let diameter = Measure::Diameter(Diameter::from_radius(bounds.max.x).mm());
+            let own = |at: &Point| Annotation::dimension(Shape::Diameter(*at), "", diameter);
+            shoulder.map(own).into_iter().collect()
+        }
+        // A groove in a cylinder.
+        Some(ToolKind::Grooving) if first.from.z == first.to.z => {
+            let along = |x: f64, [from, to]: [f64; 2], name: &'static str| {
+                let ends = [Point::new(x, from), Point::new(x, to)];
+                Annotation::dimension(Shape::Axial(ends), name, Measure::Length((to - from).abs()))
+            };
+            let reach = last.to.z - first.from.z;
+            let groove = [bounds.min.z + reach.min(0.0), bounds.max.z + reach.max(0.0)];
+            vec![along(first.from.x, [bounds.min.z, bounds.max.z], "w"), along(last.to.x, groove, "")]
+        }
+        _ => Vec::new(),
+    };
+    [Annotation::outline(edge)].into_iter().chain(size).collect()
 }
 
 /// The first byte of the block that calls the first cycle of a program that has finished.

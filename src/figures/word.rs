@@ -162,14 +162,14 @@ impl Own {
                 let cut = self.taper_cut()?;
                 let start = Shape::Radial([cut.from, Point::new(cut.from.x - value?, cut.from.z)]);
                 let mut all = word(start, "R", value?);
-                all.extend(angle(cut.to, cut.from));
+                all.extend(angle(cut.to, cut.from, "α/2"));
                 all
             }
             TaperZ => {
                 let cut = self.taper_cut()?;
                 let start = Shape::Axial([cut.from, Point::new(cut.from.x, cut.from.z - value?)]);
                 let mut all = word(start, "R", value?);
-                all.extend(angle(cut.to, cut.from));
+                all.extend(angle(cut.to, cut.from, "α/2"));
                 all
             }
             PassDepth => {
@@ -187,7 +187,7 @@ impl Own {
                 let is_facing = escape.cycle.is_some_and(|own| own.cycle == Cycle::RoughFacing);
                 let shape = if is_facing { Shape::Axial(ends) } else { Shape::Radial(ends) };
                 let mut all = word(shape, "e", value?);
-                all.extend(angle(escape.from, escape.to));
+                all.extend(angle(escape.from, escape.to, ""));
                 all
             }
             AllowanceX => {
@@ -423,12 +423,12 @@ fn word(shape: Shape, name: &'static str, mm: f64) -> Vec<Annotation> {
 }
 
 /// The angle between the Z axis and a line; `None` for a line along an axis.
-fn angle(vertex: Point, end: Point) -> Option<Annotation> {
+fn angle(vertex: Point, end: Point, name: &'static str) -> Option<Annotation> {
     let (x, z) = ((end.x - vertex.x).abs(), (end.z - vertex.z).abs());
     (x > SAME_VALUE && z > SAME_VALUE).then(|| {
         let degrees = x.atan2(z).to_degrees();
         let base = Point::new(vertex.x, end.z);
-        Annotation::dimension(Shape::Angle { vertex, base, end }, "", Measure::Degrees(degrees))
+        Annotation::dimension(Shape::Angle { vertex, base, end }, name, Measure::Degrees(degrees))
     })
 }
 

@@ -89,6 +89,8 @@ pub struct Detail {
     pub radius: f64,
     /// Thin lines.
     pub lines: Vec<Vec<Point>>,
+    /// Rapids, which are dashed.
+    pub rapids: Vec<[Point; 2]>,
     /// Thick lines: the edges of the part.
     pub edges: Vec<Vec<Point>>,
     /// Outlines of the part, which are hatched.
@@ -136,6 +138,8 @@ pub enum Measure {
     Ratio(f64),
     /// A metric thread by its diameter and lead, mm.
     Thread(f64, f64),
+    /// The least value of a length, mm.
+    AtLeast(f64),
     /// A length, mm, that is the root of a number times the length of its name.
     Root(usize, f64),
 }
@@ -248,6 +252,7 @@ impl Label {
         match (self.name, value) {
             ("", _) => text,
             (name, Measure::Root(number, _)) => format!("{name}√{number} = {text}"),
+            (name, Measure::AtLeast(_)) => format!("{name} {text}"),
             (name, _) => format!("{name} = {text}"),
         }
     }
@@ -256,12 +261,15 @@ impl Label {
 impl Measure {
     /// The value as it is printed: rounded to the last digit that a control shows, with the sign of print (−).
     pub fn text(self, unit: Unit) -> String {
-        let length = |mm: f64| {
-            let factor = 10f64.powi(i32::from(unit.decimals()));
+        let rounded = |mm: f64, decimals: u8| {
+            let factor = 10f64.powi(i32::from(decimals));
             printed((mm / unit.millimetres() * factor).round() / factor)
         };
+        let length = |mm: f64| rounded(mm, unit.decimals());
         match self {
             Self::Length(mm) | Self::Root(_, mm) => length(mm),
+            // It is a rule of thumb.
+            Self::AtLeast(mm) => format!("≥ {}", rounded(mm, unit.decimals() - 1)),
             Self::Diameter(mm) => format!("Ø{}", length(mm)),
             Self::Radius(mm) => format!("R{}", length(mm)),
             Self::Coordinate(axis, mm) => format!("{axis}{}", length(mm)),
@@ -294,6 +302,8 @@ mod tests {
         // 0.7 · √10 = 2.2136
         let tenth = Label { name: "Δd", value: Some(Measure::Root(10, 2.213_594)) };
         assert_eq!(tenth.text(Unit::Millimetre), "Δd√10 = 2.214");
+        let run_in = Label { name: "δ1", value: Some(Measure::AtLeast(2.003)) };
+        assert_eq!(run_in.text(Unit::Millimetre), "δ1 ≥ 2");
         assert_eq!(Label { name: "A′", value: None }.text(Unit::Millimetre), "A′");
     }
 }

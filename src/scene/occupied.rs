@@ -70,16 +70,22 @@ pub struct Occupied {
 impl Occupied {
     /// The map of a scene, with its strokes where they are drawn, in the direction of the moves.
     pub fn of(scene: &Scene, camera: &Camera, strokes: impl Iterator<Item = StrokeShape>) -> Self {
-        let mut map = Self::empty(camera);
-        for shape in strokes.take(MAX_STROKES) {
-            map.shape(&shape, camera);
-        }
+        let mut map = Self::of_strokes(camera, strokes);
         if let Some(work) = scene.work() {
             let outlines = closed(&work.part).into_iter().chain(closed(&work.obstacles));
             map.outlines(outlines, scene.plane(), camera);
             let mut thin = Self::empty(camera);
             thin.outlines(closed(&work.blank).into_iter(), scene.plane(), camera);
             map.thin = thin.cells;
+        }
+        map
+    }
+
+    /// The map of strokes alone.
+    pub fn of_strokes(camera: &Camera, strokes: impl Iterator<Item = StrokeShape>) -> Self {
+        let mut map = Self::empty(camera);
+        for shape in strokes.take(MAX_STROKES) {
+            map.shape(&shape, camera);
         }
         map
     }

@@ -6,6 +6,7 @@ use super::super::annotation::{Annotation, Detail};
 use super::super::camera::Pixel;
 use super::super::hatch::hatch;
 use super::super::occupied::{Occupied, Rectangle};
+use super::lines::{RAPID, dashed};
 use super::{LABEL_HEIGHT, PlaceOfRows, PlacedLabel, Placing, ROW_STEP, size_of};
 use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
@@ -48,7 +49,10 @@ impl Placing<'_> {
         };
         let [lines, edges, part] = [&detail.lines, &detail.edges, &detail.part].map(|own| on_screen(own));
         let hatch = hatch(&part, camera.to_screen(detail.at), camera.size());
-        let occupied = Occupied::of_lines(&[&lines[..], &edges[..]].concat(), &camera);
+        let rapids: Vec<[Pixel; 2]> =
+            detail.rapids.iter().map(|ends| ends.map(|at| camera.to_screen(at))).collect();
+        let all = lines.iter().chain(&edges).cloned().chain(rapids.iter().map(|ends| ends.to_vec()));
+        let occupied = Occupied::of_lines(&all.collect::<Vec<_>>(), &camera);
         // Below its title.
         let room = Rectangle { min: Pixel::new(area.min.x, area.min.y + LABEL_HEIGHT), max: area.max };
         let name = DETAIL_NAMES.get(self.details).copied().unwrap_or_default();
@@ -67,6 +71,7 @@ impl Placing<'_> {
         rows.iter_mut().skip(own_rows).for_each(|(_, label)| *label += self.placed.labels.len());
         self.rows = rows;
         self.placed.lines.extend(lines.into_iter().chain(placed.lines));
+        self.placed.lines.extend(rapids.into_iter().flat_map(|ends| dashed(ends, RAPID)));
         self.placed.edges.extend(edges);
         self.placed.hatch.extend(hatch);
         self.placed.heads.extend(placed.heads);
@@ -109,7 +114,8 @@ pub fn detail_sizes(detail: &Detail, scale: f64) -> impl Iterator<Item = (f64, [
 }
 
 fn bounds_of(detail: &Detail) -> Bounds {
-    let Detail { lines, edges, part, .. } = detail;
+    let Detail { lines, edges, part, rapids, .. } = detail;
     let corners = [lines, edges, part].into_iter().flatten().flatten();
+    let corners = corners.chain(rapids.iter().flatten());
     corners.fold(Bounds::of(detail.at), |bounds, at| bounds.with(*at))
 }

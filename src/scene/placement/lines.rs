@@ -9,9 +9,12 @@ use crate::geometry::within;
 
 /// Length and half width of an arrow head, CSS pixels.
 pub(super) const HEAD: [f64; 2] = [8.0, 2.4];
-/// Length of a dash and of the gap after it, CSS pixels, and the maximum number of dashes of a line.
-const DASH: f64 = 3.0;
-const MAX_DASHES: f64 = 1000.0;
+/// Lengths of marks, each with the gap after it, CSS pixels: the dashes of rapids, and the dash and two dots of another
+/// position (ISO 128-24, 05.1).
+pub(super) const RAPID: &[[f64; 2]] = &[[5.0, 3.0]];
+pub(super) const OTHER_POSITION: &[[f64; 2]] = &[[12.0, 3.0], [1.0, 3.0], [1.0, 3.0]];
+/// Maximum number of repetitions of the marks in a line.
+const MAX_PERIODS: f64 = 200.0;
 
 /// Whether two straight lines along one axis of the screen run side by side, too close to tell apart.
 pub(super) fn run_together(a: &[Pixel], b: &[Pixel]) -> bool {
@@ -64,13 +67,19 @@ pub(super) fn meets(line: [Pixel; 2], other: &[Pixel]) -> bool {
     other.windows(2).any(|ends| do_meet(line, [ends[0], ends[1]]))
 }
 
-/// A line as dashes.
-pub(super) fn dashed(ends: [Pixel; 2]) -> Vec<Vec<Pixel>> {
+/// The marks of a line.
+pub(super) fn dashed(ends: [Pixel; 2], pattern: &[[f64; 2]]) -> Vec<Vec<Pixel>> {
     let length = ends[0].distance(ends[1]);
     let at = |along: f64| Pixel::at_share(ends, (along / length).min(1.0));
-    let count = (length / (2.0 * DASH)).min(MAX_DASHES) as usize;
-    let starts = (0..=count).map(|step| 2.0 * DASH * step as f64).filter(|start| *start < length);
-    starts.map(|start| vec![at(start), at(start + DASH)]).collect()
+    let period: f64 = pattern.iter().flatten().sum();
+    let periods = (length / period).min(MAX_PERIODS) as usize;
+    let mut start = 0.0;
+    let marks = (0..=periods).flat_map(|_| pattern).map(|[mark, gap]| {
+        let ends = [start, start + mark];
+        start += mark + gap;
+        ends
+    });
+    marks.filter(|mark| mark[0] < length).map(|mark| mark.map(at).to_vec()).collect()
 }
 
 /// The ends of a line with two corners.

@@ -27,7 +27,7 @@ use candidates::{
     diameters, dimension_columns, dimension_lines, radii,
 };
 pub use detail::detail_sizes;
-use lines::{HEAD, dashed, direction, ends_of, head, nearest_on};
+use lines::{HEAD, OTHER_POSITION, dashed, direction, ends_of, head, nearest_on};
 
 /// Height of a label, CSS pixels.
 pub const LABEL_HEIGHT: f64 = 16.0;
@@ -187,13 +187,15 @@ impl<'a> Placing<'a> {
         }
     }
 
-    /// How much choice a label has: the number of a short stroke least, that of a long one most.
+    /// How much choice a label has: the number of a short stroke and the label of a zone least, the number of a long stroke
+    /// most.
     fn freedom(&self, shape: &Shape) -> u8 {
         match shape {
             Shape::Step(ends) => {
                 let [from, to] = ends.map(|at| self.camera.to_screen(at));
                 if from.distance(to) < LEAST_OWN { 0 } else { 2 }
             }
+            Shape::Zone { .. } => 0,
             _ => 1,
         }
     }
@@ -285,7 +287,10 @@ impl<'a> Placing<'a> {
         if let Feature::Stroke(tip) = feature {
             self.tips.push(tip);
         }
-        self.leaders.extend(leader);
+        self.tips.extend(&ends);
+        // The line from a dot to its label is a leader.
+        let from_dot = ends.first().and_then(|_| ends_of(lines.first()?));
+        self.leaders.extend(leader.or(from_dot));
         self.placed.lines.extend(leader.map(|ends| ends.to_vec()));
         self.placed.ends.extend(ends);
         self.dimension_lines.extend(lines.iter().cloned());
@@ -336,11 +341,11 @@ impl<'a> Placing<'a> {
         self.placed.lines.push(closed.map(|at| self.camera.to_screen(*at)).collect());
     }
 
-    /// Hatches a zone inside its dashed outline; `way`: a path along it that is not taken, also dashed.
+    /// Hatches a zone; `way`: a path along it that is not taken.
     fn add_zone(&mut self, outline: &[Point], way: [Point; 2]) {
         let corners: Vec<Pixel> = outline.iter().map(|at| self.camera.to_screen(*at)).collect();
         let zero = self.camera.to_screen(Point::default());
-        self.placed.lines.extend(dashed(way.map(|at| self.camera.to_screen(at))));
+        self.placed.lines.extend(dashed(way.map(|at| self.camera.to_screen(at)), OTHER_POSITION));
         self.placed.hatch.extend(hatch_slanted(&[corners], zero, self.camera.size(), Slant::Falling));
     }
 

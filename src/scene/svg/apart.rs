@@ -105,7 +105,7 @@ impl Apart {
             Shape::Radial(ends) => self.ends(scene, ends).map(Shape::Radial),
             _ => None,
         };
-        of_stroke.unwrap_or_else(|| shape.map(|at| self.point(scene, at)))
+        with_true_size(shape, of_stroke.unwrap_or_else(|| shape.map(|at| self.point(scene, at))))
     }
 
     /// Where the ends of a straight stroke are drawn; `None` without a displaced stroke between them.
@@ -224,6 +224,28 @@ impl Apart {
             }
             first = end + 1;
         }
+    }
+}
+
+/// A displaced dimension that is as long as the true one: if its ends are displaced differently in the measured
+/// direction, they are in place in that direction. A diameter is always measured from the axis.
+fn with_true_size(shape: &Shape, displaced: Shape) -> Shape {
+    match (shape, displaced) {
+        (Shape::Axial([a, b]), Shape::Axial([from, to])) => {
+            let is_same = (to.z - from.z - (b.z - a.z)).abs() < ON_STROKE;
+            let ends = if is_same { [from.z, to.z] } else { [a.z, b.z] };
+            Shape::Axial([Point::new(from.x, ends[0]), Point::new(to.x, ends[1])])
+        }
+        (Shape::Radial([a, b]), Shape::Radial([from, to])) => {
+            let is_same = (to.x - from.x - (b.x - a.x)).abs() < ON_STROKE;
+            let ends = if is_same { [from.x, to.x] } else { [a.x, b.x] };
+            Shape::Radial([Point::new(ends[0], from.z), Point::new(ends[1], to.z)])
+        }
+        (Shape::Diameter(at), Shape::Diameter(to)) => Shape::Diameter(Point::new(at.x, to.z)),
+        (Shape::DiameterThrough(at), Shape::DiameterThrough(to)) => {
+            Shape::DiameterThrough(Point::new(at.x, to.z))
+        }
+        (_, displaced) => displaced,
     }
 }
 

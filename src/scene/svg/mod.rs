@@ -19,6 +19,7 @@ use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size, XPlus};
 use super::face::Face;
 use super::hatch::hatch;
 use super::marks::{MAX_WITH_ARROWS, MIN_FOR_ARROW, arrow_heads};
+use super::occupied::Occupied;
 use super::palette::Palette;
 use super::path_index::PathIndex;
 use super::placement::{NEXT, detail_sizes};
@@ -476,9 +477,25 @@ impl Drawing {
         let is_figure = options.motions.is_some();
         let least = if is_figure { MIN_FOR_ARROW_IN_FIGURE } else { MIN_FOR_ARROW };
         let rapids = [StrokeStyle::Rapid].into_iter().filter(|_| is_figure);
+        let cuts = drawn(scene, options).filter(|stroke| stroke.style != StrokeStyle::Rapid);
+        let cuts = cuts.map(|cut| self.apart.directed(&cut)).filter(|_| is_figure);
+        let cuts = Occupied::of_strokes(&self.camera, cuts);
+        // The arrows of a cut and of a rapid over it would read as a zigzag.
+        let camera = self.camera;
+        let is_covered = |stroke: &StrokeShape| match *stroke {
+            StrokeShape::Line { from, to } => {
+                let ends = [from, to].map(|at| camera.to_screen(at));
+                let own: f64 =
+                    cuts.beside_strokes(ends).iter().map(|piece| piece[0].distance(piece[1])).sum();
+                own < 0.5 * ends[0].distance(ends[1])
+            }
+            _ => false,
+        };
         for style in rapids.chain([StrokeStyle::Feed, StrokeStyle::Thread]) {
             let strokes = drawn(scene, options).filter(|stroke| stroke.style == style && !stroke.uncertain);
-            let heads = arrow_heads(strokes.map(|stroke| self.apart.directed(&stroke)), &self.camera, least);
+            let shapes = strokes.map(|stroke| self.apart.directed(&stroke));
+            let shapes = shapes.filter(|shape| style != StrokeStyle::Rapid || !is_covered(shape));
+            let heads = arrow_heads(shapes, &self.camera, least);
             if heads.is_empty() {
                 continue;
             }
