@@ -73,7 +73,7 @@ test('after the first visit everything works without a network', async ({ page }
   await chooseLanguage(page, 'en');
   await page.goto(`${site.address}manual/zh/index.html`);
   await expectPacks(page, ['manual-en', 'manual-ru', 'manual-zh', 'rules-en', 'rules-ru', 'rules-zh']);
-  await page.goBack();
+  await page.goto(site.address);
   await expectStored(page);
   await site.stop();
 

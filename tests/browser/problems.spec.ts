@@ -221,7 +221,7 @@ test('the caret stays in view when the list opens and when the window becomes lo
     return lines.filter((line) => line.getBoundingClientRect().bottom <= bottom).length;
   });
   for (let line = 1; line < lowest; line++) await page.keyboard.press('ArrowDown');
-  expect(await isCaretInView()).toBe(true);
+  await expect.poll(isCaretInView).toBe(true);
   await openProblems(page);
   await expect.poll(isCaretInView).toBe(true);
   await problemsButton(page).click();

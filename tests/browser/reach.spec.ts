@@ -18,9 +18,9 @@ test('menus, gallery, editor, problems, playback, help and drawing are usable by
     const gallery = page.getByRole('dialog', { name: 'Gallery' });
     await expect(gallery.getByRole('searchbox')).toBeFocused();
     await page.keyboard.type(term);
-    await expect(gallery.getByRole('button')).toHaveCount(2);
     // The heading of the chapter is a link, which not every engine reaches by Tab.
     const card = gallery.locator('button.card');
+    await expect(card).toHaveCount(1);
     await expect(async () => {
       await page.keyboard.press('Tab');
       await expect(card).toBeFocused({ timeout: 500 });
