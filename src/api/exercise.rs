@@ -9,14 +9,16 @@ use serde::Serialize;
 use tsify::Tsify;
 
 use super::{Places, rounded};
-use crate::exercise::{Checked, Exercise, Measured, Quantity, Report, Tolerance, Verdict};
+use crate::exercise::{
+    Checked, Exercise, Measured, NoTarget, Quantity, Report, Tolerance, Verdict, check, key_of,
+};
 use crate::message::Severity;
 use crate::sentences::Language;
 use crate::sentences::exercise::{
     describe_cause, describe_check, describe_finding, describe_verdict, place_of, quantity,
 };
-use crate::sentences::exercise_file::describe_fault;
-use crate::source::Span;
+use crate::sentences::exercise_file::{describe_fault, describe_no_target};
+use crate::source::{LineIndex, Span};
 use crate::units::Diameter;
 
 /// The report on an answer.
@@ -125,6 +127,65 @@ pub struct Check {
     pub line: Option<u32>,
 }
 
+/// The blocks `setup` and `target` of an exercise whose part the program makes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+#[serde(rename_all = "camelCase", tag = "kind")]
+pub enum ExerciseBlocks {
+    /// The blocks.
+    Blocks {
+        /// Their text.
+        text: String,
+    },
+    /// The part has no target.
+    None {
+        /// The reason, without a full stop.
+        reason: &'static str,
+    },
+}
+
+impl ExerciseBlocks {
+    /// The blocks, or the reason in a language.
+    pub fn new(blocks: Result<String, NoTarget>, language: Language) -> Self {
+        match blocks {
+            Ok(text) => Self::Blocks { text },
+            Err(why) => Self::None { reason: describe_no_target(why, language) },
+        }
+    }
+}
+
+/// The report on one of many answers to an exercise, or the fault of the exercise file.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+#[serde(rename_all = "camelCase", tag = "kind")]
+pub enum AnswerReport {
+    /// The report.
+    Answer(Box<GradedAnswer>),
+    /// The exercise file has a fault.
+    Fault {
+        /// The line, from 1.
+        line: usize,
+        /// The fault.
+        message: String,
+    },
+}
+
+/// The report on one of many answers to an exercise.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct GradedAnswer {
+    /// The id of the exercise.
+    pub id: String,
+    /// The checksum of its file, as in [`ExerciseText`].
+    pub version: String,
+    /// Its title.
+    pub title: String,
+    /// The report.
+    pub report: Graded,
+    /// The blocks of the answer without blanks, comments and N numbers: equal for identical answers.
+    pub blocks: String,
+}
+
 /// An exercise file as it was read.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
@@ -148,6 +209,8 @@ pub enum ExerciseRead {
 pub struct ExerciseText {
     /// Its name.
     pub id: String,
+    /// A checksum of the file, 16 hexadecimal digits: another version of the exercise has another one.
+    pub version: String,
     /// The title.
     pub title: String,
     /// The task, Markdown without HTML.
@@ -170,17 +233,52 @@ impl ExerciseRead {
     /// Reads the text of a file.
     pub fn new(text: &str, language: Language) -> Self {
         match Exercise::read(text) {
-            Ok(exercise) => Self::Exercise(ExerciseText::new(&exercise, language)),
+            Ok(exercise) => Self::Exercise(ExerciseText::new(&exercise, version_of(text), language)),
             Err(fault) => Self::Fault { line: fault.line, message: describe_fault(&fault, language) },
         }
     }
 }
 
+impl AnswerReport {
+    /// Checks a program as the answer to the exercise with the text of a file.
+    pub fn new(text: &str, answer: &[u8], language: Language) -> Self {
+        let exercise = match Exercise::read(text) {
+            Ok(exercise) => exercise,
+            Err(fault) => {
+                return Self::Fault { line: fault.line, message: describe_fault(&fault, language) };
+            }
+        };
+        let title = exercise.texts(language as usize).map_or_else(String::new, |texts| texts.title.clone());
+        Self::Answer(Box::new(GradedAnswer {
+            version: version_of(text),
+            title,
+            report: Graded::of_answer(&exercise, answer, language),
+            blocks: blocks_of(answer),
+            id: exercise.id,
+        }))
+    }
+}
+
+/// The blocks of an answer without blanks, comments and N numbers.
+pub fn blocks_of(answer: &[u8]) -> String {
+    String::from_utf8_lossy(&key_of(answer)).into_owned()
+}
+
+/// The checksum of a text, whatever its line ends are: FNV-1a, 64 bits.
+fn version_of(text: &str) -> String {
+    let bytes = text.bytes().filter(|byte| *byte != b'\r');
+    let sum = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |sum, byte| {
+        (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    });
+    format!("{sum:016x}")
+}
+
 impl ExerciseText {
-    fn new(exercise: &Exercise, language: Language) -> Self {
+    fn new(exercise: &Exercise, version: String, language: Language) -> Self {
         let texts = exercise.texts(language as usize).cloned().unwrap_or_default();
         Self {
             id: exercise.id.clone(),
+            version,
             title: texts.title,
             task: texts.task,
             hints: texts.hints,
@@ -193,6 +291,13 @@ impl ExerciseText {
 }
 
 impl Graded {
+    /// The report on a program as an answer.
+    pub fn of_answer(exercise: &Exercise, answer: &[u8], language: Language) -> Self {
+        let lines = LineIndex::as_written(answer);
+        let report = check(exercise, answer);
+        Self::new(&report, exercise, Places { text: answer, lines: &lines }, language)
+    }
+
     /// The row of a report. `places`: positions in the text of the answer.
     pub fn new(report: &Report, exercise: &Exercise, places: Places, language: Language) -> Self {
         let line = |span: Span| places.lines.line_of(span.start.min(places.text.len() as u32)) + 1;
@@ -268,5 +373,19 @@ fn name_of(quantity: Quantity) -> &'static str {
         Quantity::Crest => "crest",
         Quantity::ThreadLength => "thread-length",
         Quantity::Flats => "flats",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The values of the reference implementation of FNV-1a for the empty text, `a` and `foobar`.
+    #[test]
+    fn the_version_is_the_checksum_of_the_text() {
+        assert_eq!(version_of(""), "cbf29ce484222325");
+        assert_eq!(version_of("a"), "af63dc4c8601ec8c");
+        assert_eq!(version_of("foobar"), "85944171f73967e8");
+        assert_eq!(version_of("G90\r\nM30\r\n"), version_of("G90\nM30\n"));
     }
 }

@@ -34,7 +34,7 @@ pub use report::{Place, Report, Verdict, check};
 pub use same_text::key_of;
 pub use slip::{Cause, Slip};
 pub use target::Target;
-pub use target_of::{NoTarget, target_of};
+pub use target_of::{NoTarget, blocks_of_exercise, target_of};
 pub use texts::Texts;
 pub use values::{Range, Tolerance};
 

@@ -14,7 +14,7 @@ use crate::machine::part::Part;
 use crate::machine::region::Region;
 use crate::machine::resolved_setup::ResolvedSetup;
 use crate::motion::{MotionKind, Motions};
-use crate::setup::{Blank, Side};
+use crate::setup::{Blank, Setup, Side, as_comments};
 use crate::units::{Diameter, number};
 
 /// The default tolerances, mm.
@@ -41,6 +41,29 @@ pub enum NoTarget {
     TooManyLines,
     /// Its outline cannot be written as a target.
     NoOutline,
+}
+
+/// The blocks `setup` and `target` of an exercise whose part a program makes. They contain no block of the program.
+///
+/// `setup`: of the run, with the additions of its text; `decides_decimal`: its decimal rule was inferred from the text.
+///
+/// # Errors
+///
+/// The reason why the part has no target.
+pub fn blocks_of_exercise(
+    simulation: &SimulationResult,
+    motions: &Motions,
+    setup: &Setup,
+    decides_decimal: bool,
+) -> Result<String, NoTarget> {
+    let target = target_of(simulation, motions)?;
+    let stock = simulation.resolved_setup().blank().map(|(blank, _)| blank.clone());
+    let mut setup = Setup { stock, ..setup.clone() };
+    if decides_decimal {
+        setup.dialect.decimal = None;
+    }
+    let setup = as_comments::lines(&setup).join("\n");
+    Ok(format!("```setup\n{setup}\n```\n\n```target\n{target}```\n"))
 }
 
 /// The outline of the finished part of a simulation as the lines of a target.

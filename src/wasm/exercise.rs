@@ -6,8 +6,8 @@
 use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
-use crate::api::exercise::{ExerciseRead, Graded};
-use crate::exercise::{Exercise, check};
+use crate::api::exercise::{AnswerReport, ExerciseBlocks, ExerciseRead, Graded};
+use crate::exercise::{Exercise, NoTarget, blocks_of_exercise, check};
 use crate::export::figure::part_drawing;
 use crate::parts::late;
 use crate::scene::svg::{Ground, SvgOptions};
@@ -35,6 +35,18 @@ impl Playground {
     pub fn check_exercise(&mut self, text: &str) -> Result<JsValue, JsValue> {
         check_answer(self, text)
     }
+
+    /// The blocks of an exercise whose part the current program makes.
+    #[wasm_bindgen(js_name = exerciseBlocks, unchecked_return_type = "ExerciseBlocks")]
+    pub fn exercise_blocks(&self) -> Result<JsValue, JsValue> {
+        blocks(self)
+    }
+
+    /// Checks another program than the current one as an answer.
+    #[wasm_bindgen(js_name = gradeAnswer, unchecked_return_type = "AnswerReport")]
+    pub fn grade_answer(&self, text: &str, answer: &str) -> Result<JsValue, JsValue> {
+        grade(self, text, answer)
+    }
 }
 
 late! {
@@ -46,6 +58,19 @@ late! {
         let exercise = Exercise::read(text).ok()?;
         let options = SvgOptions { ground: Ground::Paper, ..SvgOptions::default() };
         part_drawing(&exercise.target.region, &exercise.setup, options.on_paper(DRAWING_WIDTH))
+    }
+
+    fn blocks(playground: &Playground) -> Result<JsValue, JsValue> {
+        let run = playground.current.run();
+        let decides = run.decided_rule().is_some();
+        let blocks = playground.current.simulation().ok_or(NoTarget::NoPart).and_then(|simulation| {
+            blocks_of_exercise(simulation, run.motions(), &run.setup_at_machine(), decides)
+        });
+        to_js(&ExerciseBlocks::new(blocks, playground.language))
+    }
+
+    fn grade(playground: &Playground, text: &str, answer: &str) -> Result<JsValue, JsValue> {
+        to_js(&AnswerReport::new(text, answer.as_bytes(), playground.language))
     }
 
     fn check_answer(playground: &mut Playground, text: &str) -> Result<JsValue, JsValue> {

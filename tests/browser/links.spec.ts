@@ -66,7 +66,7 @@ const packedJson = (value: unknown): string =>
 
 test('every stored link still opens the same content', async () => {
   const stored = storedLinks();
-  expect(new Set(stored.map(({ version }) => version))).toEqual(new Set([0, 1, 2]));
+  expect(new Set(stored.map(({ version }) => version))).toEqual(new Set([0, 1, 2, 3]));
   for (const { what, link, opens } of stored) expect(await opened(link), what).toEqual({ ...EMPTY_SHARED, ...opens });
 });
 
@@ -181,7 +181,7 @@ test('a link with any one character changed never opens another program', async 
 });
 
 test('a link of a newer version is reported as such, also if this version cannot parse it', async () => {
-  for (const hash of ['#share=3.17.anything', '#share=3', '#share=17.%7B%7D', '#share=999999.'])
+  for (const hash of ['#share=4.17.anything', '#share=4', '#share=17.%7B%7D', '#share=999999.'])
     expect(await faultOf(hash), hash).toBe('newer');
   // A link with an unknown key is rejected, not opened in part.
   expect(await faultOf(packedJson({ p: 'G0 X1', z: 'new' }))).toBe('damaged');
@@ -218,6 +218,23 @@ test('hostile links are refused: wrong types, missing fields, no JSON, no stream
   // Version 2 is only for links that version 1 cannot express.
   for (const body of [{ p: 'G0' }, { p: 'G0', q: '', a: '' }, { p: 'G0', h: 1 }, { p: 'G0', q: 'a', h: 2 }])
     expect(await faultOf(packedJson(body).replace('=1.', '=2.')), JSON.stringify(body)).toBe('damaged');
+  // Version 3 has an exercise with all its keys, and no task.
+  const exercise = { p: 'G0', x: 'pin', y: '0123456789abcdef', w: '0' };
+  expect(await faultOf(packedJson(exercise))).toBe('damaged');
+  for (const body of [
+    { p: 'G0' },
+    { p: 'G0', x: 'pin' },
+    { ...exercise, x: '../pin' },
+    { ...exercise, x: 'p'.repeat(65) },
+    { ...exercise, y: '0123' },
+    { ...exercise, w: '10' },
+    { ...exercise, w: 1 },
+    { ...exercise, q: 'task', a: 'G1' },
+    { ...exercise, q: 'task', h: 1 },
+    { p: '', m: 'no head' },
+    { p: '', m: '---', q: 'task' },
+  ])
+    expect(await faultOf(packedJson(body).replace('=1.', '=3.')), JSON.stringify(body)).toBe('damaged');
   expect(await faultOf(forged(`z${deflateRawSync('{"p":"G0","__proto__":{"p":"G1"}}').toString('base64url')}`))).toBe(
     'damaged',
   );

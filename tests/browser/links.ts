@@ -70,6 +70,8 @@ export function randomShared(next: Random): Shared {
   const any = (most: number): string => randomText(next, Math.floor(next() ** 2 * most));
   const task = maybe(() => ({ sentence: any(100), solution: maybe(() => any(2000)) }));
   const isAnswer = next() < 0.5;
+  const isOfExercise = task === null && next() < 0.5;
+  const hex = (): string => Math.floor(next() * 16).toString(16);
   return {
     text: any(2000),
     setup: maybe(() => any(300)),
@@ -83,6 +85,14 @@ export function randomShared(next: Random): Shared {
     file: maybe(() => ({ name: any(40), encoding: any(12) })),
     task: isAnswer ? null : task,
     answerTo: isAnswer ? task : null,
+    exercise: isOfExercise
+      ? {
+          id: `e-${Math.floor(next() * 1000)}`,
+          version: Array.from({ length: 16 }, hex).join(''),
+          hints: Math.floor(next() * 4),
+        }
+      : null,
+    exerciseText: task === null && next() < 0.5 ? `---\n${any(500)}` : null,
     name: maybe(() => any(80)),
   };
 }
@@ -135,6 +145,8 @@ export function randomState(next: Random): Shared {
     file: next() < 0.2 ? { name: `${wellFormed(randomText(next, 8))}.nc`, encoding: 'utf-8' } : null,
     task: null,
     answerTo: null,
+    exercise: null,
+    exerciseText: null,
     name: null,
   };
 }

@@ -221,6 +221,7 @@ test('broken, truncated, newer and hostile links show a message and change nothi
     good.slice(0, 40),
     good.slice(0, 12),
     '#share=',
+    good.replace('#share=1', '#share=4'),
     good.replace('#share=1', '#share=3'),
     good.replace('#share=1', '#share=2'),
     good.replace('z', 'b'),

@@ -1,7 +1,16 @@
-import type { Diagnostic, FileFormat, ProgramDifference, Readout, Stroke, Summary } from './node/gcode_playground.js';
+import type {
+  AnswerReport,
+  Diagnostic,
+  ExerciseBlocks,
+  FileFormat,
+  ProgramDifference,
+  Readout,
+  Stroke,
+  Summary,
+} from './node/gcode_playground.js';
 import type { Setup } from './node/setup.js';
 
-export type { Diagnostic, FileFormat, ProgramDifference, Readout, Stroke, Summary };
+export type { AnswerReport, Diagnostic, ExerciseBlocks, FileFormat, ProgramDifference, Readout, Stroke, Summary };
 export type {
   Setup,
   SetupDialect,
@@ -165,6 +174,13 @@ export class GcodePlayground extends HTMLElement {
     readonly text: string;
     readonly names: readonly [string, string];
   }): Promise<{ readonly rows: ProgramDifference; readonly drawing: string } | undefined>;
+  /** The blocks `setup` and `target` of an exercise whose part the program makes; undefined if the program has changed. */
+  exerciseBlocks(): Promise<ExerciseBlocks | undefined>;
+  /**
+   * The report on a program as an answer to an exercise; `exercise` is the text of its file. The program of the element
+   * stays.
+   */
+  gradeAnswer(exercise: string, answer: string): Promise<AnswerReport | undefined>;
   /** The complete setup that the program is run with, JSON; undefined if it is invalid. */
   readonly wholeSetup: string | undefined;
   /** The drawing, or the picture as it is shown. */
@@ -197,6 +213,8 @@ export interface GcodePlaygroundEvents {
   /** The learner has checked the program of an exercise; `hints` is the number of open hints. */
   'gcode-checked': CustomEvent<{
     readonly id: string;
+    /** The checksum of the exercise file. */
+    readonly version: string;
     readonly passed: boolean;
     readonly hints: number;
     readonly checks: readonly { readonly name: string; readonly passed: boolean }[];

@@ -1,12 +1,12 @@
 // Accepts files dropped on a part of the page.
 //
-// In: the element to drop on. Out: `onDrop`, with the first file. While a file is over the element, its `data-drop`
+// In: the element to drop on. Out: `onDrop`, with the files. While a file is over the element, its `data-drop`
 // has the hint. Must not know: what happens to a file.
 
 interface DropEvents {
   /** The hint while a file is over the element. */
   hint(): string;
-  onDrop(file: File): void;
+  onDrop(first: File, ...further: readonly File[]): void;
 }
 
 /**
@@ -34,11 +34,11 @@ export function acceptFiles(target: HTMLElement, events: DropEvents, scope: Drop
     'drop',
     (event) => {
       mark(false);
-      const file = isAccepted(event) ? event.dataTransfer?.files[0] : undefined;
-      if (file === undefined) return;
+      const [first, ...further] = isAccepted(event) ? (event.dataTransfer?.files ?? []) : [];
+      if (first === undefined) return;
       event.preventDefault();
       event.stopPropagation();
-      events.onDrop(file);
+      events.onDrop(first, ...further);
     },
     { capture: scope === 'all' },
   );

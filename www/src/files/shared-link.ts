@@ -3,6 +3,7 @@
 // In: a program with its context, or the part of an address from `#`. Out: the other one, or a fault. Links come from
 // other people, so every field is validated. Must not know: the contents of a program or a setup.
 //
+//   #share=3.<packed>      version 3: an answer to an exercise, or an exercise; keys as in version 1
 //   #share=2.<packed>      version 2: an answer with its task, or a task without a solution; keys as in version 1
 //   #share=1.<packed>      version 1: a JSON object with the keys of `KEYS`, packed by `packed-text.ts`; null values are omitted
 //   #program=…&setup=…     version 0, percent-encoded, as people and other programs write it; its other keys are the attributes of
@@ -13,12 +14,21 @@
 import { LINK_LIMIT } from './link-limit';
 import { pack, unpack, UNPACKED_LIMIT } from './packed-text';
 
-const VERSION = 2;
+const VERSION = 3;
 
 export interface Task {
   readonly sentence: string;
   /** Null: the link does not contain it. */
   readonly solution: string | null;
+}
+
+/** The exercise that a program is an answer to. */
+export interface AnsweredExercise {
+  readonly id: string;
+  /** The checksum of its file, as in `ExerciseText`. */
+  readonly version: string;
+  /** Number of hints that the learner had opened. */
+  readonly hints: number;
 }
 
 /** A program with its context; null: not given. */
@@ -40,7 +50,11 @@ export interface Shared {
   readonly task: Task | null;
   /** The task that the text is an answer to. At most one of `task` and `answerTo` is set. */
   readonly answerTo: Task | null;
-  /** Name of the student whose answer to a task this is. */
+  /** The exercise that the text is an answer to; then there is no task. */
+  readonly exercise: AnsweredExercise | null;
+  /** The text of an exercise file: the exercise to work on, or the one that the text is an answer to. */
+  readonly exerciseText: string | null;
+  /** Name of the student whose answer to a task or an exercise this is. */
   readonly name: string | null;
 }
 
@@ -57,6 +71,8 @@ export const EMPTY_SHARED: Shared = {
   file: null,
   task: null,
   answerTo: null,
+  exercise: null,
+  exerciseText: null,
   name: null,
 };
 
@@ -74,7 +90,7 @@ type ParsedLink =
   | { readonly kind: 'shared'; readonly shared: Shared }
   | { readonly kind: 'fault'; readonly fault: LinkFault };
 
-/** The keys of versions 1 and 2; `answer` only of version 2. */
+/** The keys of all versions; `answer` only of version 2, those of an exercise only of version 3. */
 const KEYS = {
   text: 'p',
   setup: 's',
@@ -91,6 +107,10 @@ const KEYS = {
   solution: 'a',
   name: 'n',
   answer: 'h',
+  exercise: 'x',
+  exerciseVersion: 'y',
+  hints: 'w',
+  exerciseText: 'm',
 } as const;
 const KNOWN_KEYS: ReadonlySet<string> = new Set(Object.values(KEYS));
 /** Most characters of a text that is not a program, setup or sentence. */
@@ -105,9 +125,23 @@ export type MadeLink =
 
 /** Makes the part of an address from `#`. */
 export async function makeLink(shared: Shared): Promise<MadeLink> {
-  const { text, setup, control, blockSkip, program, language, view, step, file, answerTo, name } = shared;
+  const {
+    text,
+    setup,
+    control,
+    blockSkip,
+    program,
+    language,
+    view,
+    step,
+    file,
+    answerTo,
+    exercise,
+    exerciseText,
+    name,
+  } = shared;
   const task = answerTo ?? shared.task;
-  const version = answerTo !== null || task?.solution === null ? 2 : 1;
+  const version = exercise !== null || exerciseText !== null ? 3 : answerTo !== null || task?.solution === null ? 2 : 1;
   const entries = [
     [KEYS.text, text],
     [KEYS.setup, setup],
@@ -124,6 +158,10 @@ export async function makeLink(shared: Shared): Promise<MadeLink> {
     [KEYS.solution, task?.solution ?? null],
     [KEYS.name, name],
     [KEYS.answer, answerTo === null ? null : 1],
+    [KEYS.exercise, exercise?.id ?? null],
+    [KEYS.exerciseVersion, exercise?.version ?? null],
+    [KEYS.hints, exercise === null ? null : String(exercise.hints)],
+    [KEYS.exerciseText, exerciseText],
   ] as const;
   const json = JSON.stringify(Object.fromEntries(entries.filter(([, value]) => value !== null)));
   const characters = await pack(json);
@@ -207,6 +245,11 @@ function parseShared(json: string, version: number): Shared | undefined {
   const sentence = field('sentence');
   const task: Task | null = sentence === null && solution === null ? null : { sentence: sentence ?? '', solution };
   if (isAnswer && task === null) return undefined;
+  const exercise = parseExercise([field('exercise'), field('exerciseVersion'), field('hints')]);
+  const exerciseText = field('exerciseText');
+  const isOfExercise = exercise !== null || exerciseText !== null;
+  if (exercise === undefined || isOfExercise !== (version === 3) || (isOfExercise && task !== null)) return undefined;
+  if (exerciseText !== null && !exerciseText.startsWith('---')) return undefined;
   if ((isAnswer || task?.solution === null) !== (version === 2)) return undefined;
   return {
     text,
@@ -221,6 +264,17 @@ function parseShared(json: string, version: number): Shared | undefined {
     file: fileName === null || encoding === null ? null : { name: fileName, encoding },
     task: isAnswer ? null : task,
     answerTo: isAnswer ? task : null,
+    exercise,
+    exerciseText,
     name,
   };
+}
+
+/** The id, version and hints of an exercise; null: none is given; undefined: one is invalid. */
+function parseExercise(fields: readonly (string | null)[]): AnsweredExercise | null | undefined {
+  const [id, version, hints] = fields;
+  if (fields.every((field) => field === null)) return null;
+  const isValid =
+    /^[a-z0-9-]{1,64}$/.test(id ?? '') && /^[0-9a-f]{16}$/.test(version ?? '') && /^\d$/.test(hints ?? '');
+  return isValid ? { id: id ?? '', version: version ?? '', hints: Number(hints) } : undefined;
 }

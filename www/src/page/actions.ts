@@ -49,6 +49,16 @@ const ACTIONS: readonly Action[] = [
     load: async () => (await importWithRetry(() => import('./share-dialog'))).share,
   },
   {
+    id: 'make-exercise',
+    menu: 'share',
+    label: words({
+      en: 'Exercise that checks the part',
+      zh: '检查零件的练习',
+      ru: 'Упражнение с проверкой детали',
+    }),
+    load: async () => (await importWithRetry(() => import('./make-exercise-dialog'))).makeExercise,
+  },
+  {
     id: 'compare',
     menu: 'more',
     label: words({ en: 'Compare with another version', zh: '与其他版本比较', ru: 'Сравнить с другой версией' }),

@@ -13,9 +13,10 @@ export interface ExerciseProgress {
   readonly date?: string;
 }
 
-/** The detail of the event `gcode-checked`, as far as it is stored. */
+/** The detail of the event `gcode-checked`, as far as the page uses it. */
 export interface CheckedExercise {
   readonly id: string;
+  readonly version: string;
   readonly passed: boolean;
   readonly hints: number;
 }

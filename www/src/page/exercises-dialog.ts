@@ -6,23 +6,20 @@
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { importWithRetry } from '../dom/network';
 import { COMMON, words } from '../dom/words';
+import { loadExercises, titleOf, type ListedExercise } from './exercise-list';
 import { parseProgress, readProgress, writeProgress, type Progress } from './exercise-progress';
 import type { PageHost } from './page-host';
+import { printedPage, printedTable, setFile } from './printed';
 import '../dom/dialog.css';
 import './exercises.css';
-
-interface ListedExercise {
-  readonly id: string;
-  readonly points: number;
-  readonly title: Partial<Record<Language, string>>;
-}
 
 let dialog: ExercisesDialog | undefined;
 
 export function openExercises(host: PageHost): void {
   dialog ??= new ExercisesDialog();
-  void dialog.open(host.language);
+  void dialog.open(host);
 }
 
 class ExercisesDialog {
@@ -32,21 +29,26 @@ class ExercisesDialog {
   readonly #certificate = make('a', { className: 'button', download: 'certificate.html' });
   readonly #import = make('input', { type: 'file', accept: '.json,application/json', hidden: true });
   readonly #importButton = make('button', { type: 'button' });
+  readonly #answers = make('button', { type: 'button', 'aria-haspopup': 'dialog' });
   readonly #dialog = new Dialog(
     'exercises',
     [this.#total, this.#list],
-    [this.#import, this.#importButton, this.#export, this.#certificate],
+    [this.#import, this.#answers, this.#importButton, this.#export, this.#certificate],
   );
   #rows: readonly ListedExercise[] = [];
   #language: Language = 'en';
+  #host: PageHost | undefined;
 
   constructor() {
     document.body.append(this.#dialog.element);
     this.#importButton.addEventListener('click', () => this.#import.click());
     this.#import.addEventListener('change', () => void this.#importFile());
+    this.#answers.addEventListener('click', () => void this.#openAnswers());
   }
 
-  async open(language: Language): Promise<void> {
+  async open(host: PageHost): Promise<void> {
+    const { language } = host;
+    this.#host = host;
     this.#language = language;
     const texts = WORDS[language];
     this.#dialog.setTexts(texts.title, COMMON[language].close);
@@ -54,8 +56,9 @@ class ExercisesDialog {
     this.#export.textContent = texts.export;
     this.#certificate.textContent = texts.certificate;
     this.#importButton.textContent = texts.import;
+    this.#answers.textContent = texts.answers;
     this.#dialog.show();
-    const rows = await loadList();
+    const rows = await loadExercises();
     if (rows === undefined) {
       this.#total.textContent = texts.notLoaded;
       return;
@@ -90,6 +93,18 @@ class ExercisesDialog {
     );
   }
 
+  /** Opens the answers of a class. */
+  async #openAnswers(): Promise<void> {
+    try {
+      const { openAnswers } = await importWithRetry(() => import('./answers-dialog'));
+      if (this.#host === undefined) return;
+      this.#dialog.close();
+      openAnswers(this.#host);
+    } catch {
+      this.#total.textContent = WORDS[this.#language].notLoaded;
+    }
+  }
+
   /** Adds the progress of a file. An exercise that was passed in either is passed. */
   async #importFile(): Promise<void> {
     const file = this.#import.files?.[0];
@@ -108,47 +123,16 @@ class ExercisesDialog {
   }
 }
 
-async function loadList(): Promise<readonly ListedExercise[] | undefined> {
-  try {
-    const response = await fetch(new URL('exercises/list.json', document.baseURI));
-    return response.ok ? ((await response.json()) as readonly ListedExercise[]) : undefined;
-  } catch {
-    return undefined;
-  }
-}
-
-function titleOf({ id, title }: ListedExercise, language: Language): string {
-  return title[language] ?? title.en ?? id;
-}
-
-function setFile(link: HTMLAnchorElement, content: string, type: string): void {
-  URL.revokeObjectURL(link.href);
-  link.href = URL.createObjectURL(new Blob([content], { type }));
-}
-
 /** A page to print: the passed exercises with points, hints and day. */
 function certificate(passed: readonly ListedExercise[], progress: Progress, language: Language): string {
   const texts = WORDS[language];
   const rows = passed.map((row) => {
     const { hints = 0, date = '' } = progress[row.id] ?? {};
-    return make(
-      'tr',
-      {},
-      ...[titleOf(row, language), String(row.points), String(hints), date].map((text) => make('td', {}, text)),
-    );
+    return [titleOf(row, language), String(row.points), String(hints), date];
   });
   const head = [texts.exercise, texts.pointsHead, texts.hints, texts.day];
-  const table = make(
-    'table',
-    {},
-    make('thead', {}, make('tr', {}, ...head.map((text) => make('td', {}, text)))),
-    make('tbody', {}, ...rows),
-  );
-  const title = make('h1', {}, texts.certificate);
-  const style =
-    'body{font:16px system-ui;margin:2cm}table{border-collapse:collapse}thead{font-weight:bold}td{padding:.3em 1em;border:1px solid;text-align:start}';
   const name = make('p', {}, `${texts.name}: ______________________________`);
-  return `<!doctype html><html lang="${language}"><meta charset="utf-8"><title>${texts.certificate}</title><style>${style}</style>${title.outerHTML}${name.outerHTML}${table.outerHTML}</html>`;
+  return printedPage(texts.certificate, language, name, printedTable(head, rows));
 }
 
 const WORDS = words({
@@ -163,6 +147,7 @@ const WORDS = words({
     points: (points: number) => `${points} points`,
     export: 'Save progress',
     import: 'Load progress…',
+    answers: 'Answers of a class…',
     certificate: 'Certificate',
     notLoaded: 'The exercises could not be loaded.',
     notProgress: 'The file contains no progress.',
@@ -182,6 +167,7 @@ const WORDS = words({
     points: (points) => `${points} 分`,
     export: '保存进度',
     import: '载入进度…',
+    answers: '全班的答案…',
     certificate: '成绩单',
     notLoaded: '练习加载失败。',
     notProgress: '文件中没有进度。',
@@ -201,6 +187,7 @@ const WORDS = words({
     points: (points) => `баллов: ${points}`,
     export: 'Сохранить результаты',
     import: 'Загрузить результаты…',
+    answers: 'Ответы группы…',
     certificate: 'Сертификат',
     notLoaded: 'Упражнения не удалось загрузить.',
     notProgress: 'В файле нет результатов.',

@@ -1,4 +1,4 @@
-// The bar over the element that describes an opened link: a task with its solution and a button to hand in, the name and
+// The bar over the element that describes an opened link: a task or an exercise with a button to hand in, the name and
 // task of an answer, a read-only program, or an error in the link.
 //
 // In: what to show; the program to hand in. Out: clicks, and the link to hand in. Loaded only when needed. Must not
@@ -6,7 +6,14 @@
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
-import { makeLink, NAME_LIMIT, type MadeLink, type Shared, type Task } from '../files/shared-link';
+import {
+  makeLink,
+  NAME_LIMIT,
+  type AnsweredExercise,
+  type MadeLink,
+  type Shared,
+  type Task,
+} from '../files/shared-link';
 import { copyField, copyWhenReady } from './fields';
 import { pageAddress, type AddressContent } from './linked';
 import { FAULTS, LINK_WORDS, SHARE_WORDS } from './share-words';
@@ -19,6 +26,8 @@ export type Fault = Extract<AddressContent, { readonly kind: 'fault' }>['fault']
 export type BarContent =
   | { readonly kind: 'fault'; readonly fault: Fault }
   | { readonly kind: 'task'; readonly linked: Shared }
+  /** The reader's answer to an exercise has been checked. */
+  | { readonly kind: 'exercise'; readonly exercise: AnsweredExercise }
   /** An answer, with the name that it was handed in under; an older link does not contain the task. */
   | { readonly kind: 'answer'; readonly from: string | undefined; readonly linked: Shared }
   | { readonly kind: 'only-shown'; readonly from: string | undefined };
@@ -97,7 +106,7 @@ export class LinkBar {
     else this.#text.removeAttribute('role');
     this.#element.setAttribute('aria-label', texts.bar);
     this.#element.dataset['kind'] = content?.kind ?? '';
-    this.#handIn.hidden = content?.kind !== 'task';
+    this.#handIn.hidden = content?.kind !== 'task' && content?.kind !== 'exercise';
     this.#nameCaption.textContent = texts.name;
     this.#copy.textContent = texts.handIn;
     this.#link.setAttribute('aria-label', texts.linkToHandIn);
@@ -110,6 +119,8 @@ export class LinkBar {
         const { linked } = content;
         return this.#showText(taskText(linked.task, language), ...this.#solutionButtons(linked, linked.task), hide());
       }
+      case 'exercise':
+        return this.#showText(texts.handInExercise, hide());
       case 'only-shown':
         this.#showText(
           texts.onlyShown,
@@ -184,9 +195,12 @@ export class LinkBar {
 
   /** The user's program with the task and its setup, without a language. */
   #sharedAnswer(): Shared | undefined {
-    if (this.#content?.kind !== 'task') return undefined;
-    const { setup, control, blockSkip, program, task } = this.#content.linked;
-    const name = this.#name.value.trim();
+    const content = this.#content;
+    const entered = this.#name.value.trim();
+    const name = entered === '' ? null : entered;
+    if (content?.kind === 'exercise') return { ...toShared(this.#host.program()), exercise: content.exercise, name };
+    if (content?.kind !== 'task') return undefined;
+    const { setup, control, blockSkip, program, task } = content.linked;
     return {
       ...toShared(this.#host.program()),
       setup,
@@ -194,7 +208,7 @@ export class LinkBar {
       blockSkip,
       program,
       answerTo: task,
-      name: name === '' ? null : name,
+      name,
     };
   }
 

@@ -9,8 +9,8 @@ import { LINK_LIMIT } from '../files/link-limit';
 import type { LinkFault, Shared } from '../files/shared-link';
 
 export interface LinkedProgram extends Shared {
-  /** The id of an exercise. */
-  readonly exercise?: string;
+  /** The exercise to work on: the address of its file, or its text. */
+  readonly exerciseToDo?: string;
 }
 
 export type AddressContent =
@@ -29,12 +29,17 @@ export function pageAddress(): string {
 
 /** Whether the user's program is kept as the work on this link. */
 export function hasWork(linked: LinkedProgram): boolean {
-  return linked.task !== null || linked.exercise !== undefined;
+  return linked.task !== null || linked.exerciseToDo !== undefined;
+}
+
+/** The address of the file of an exercise. */
+export function exerciseAddress(id: string): string {
+  return `exercises/${id}.md`;
 }
 
 /** The link to an exercise: the element loads the program that it begins with. */
 function exerciseLink(exercise: string): LinkedProgram {
-  return { ...EMPTY_LINK, exercise };
+  return { ...EMPTY_LINK, exerciseToDo: exerciseAddress(exercise) };
 }
 
 const EMPTY_LINK: LinkedProgram = {
@@ -50,6 +55,8 @@ const EMPTY_LINK: LinkedProgram = {
   file: null,
   task: null,
   answerTo: null,
+  exercise: null,
+  exerciseText: null,
   name: null,
 };
 
@@ -81,7 +88,10 @@ export async function parseAddress(hash: string): Promise<AddressContent> {
       return { kind: 'fault', fault: { kind: 'not-loaded' } };
     }
     const opened = await parseLink(hash);
-    return opened.kind === 'shared' ? { kind: 'linked', linked: opened.shared } : opened;
+    if (opened.kind !== 'shared') return opened;
+    const { shared } = opened;
+    const isToDo = shared.exerciseText !== null && shared.exercise === null;
+    return { kind: 'linked', linked: isToDo ? { ...shared, exerciseToDo: shared.exerciseText } : shared };
   }
   if (hash.length > LINK_LIMIT)
     return { kind: 'fault', fault: { kind: 'too-long', length: hash.length, limit: LINK_LIMIT } };
@@ -91,4 +101,13 @@ export async function parseAddress(hash: string): Promise<AddressContent> {
   return hash === '' || hash === '#' || EXAMPLE.test(hash)
     ? { kind: 'other' }
     : { kind: 'fault', fault: { kind: 'unknown' } };
+}
+
+/** The name as one line without bidirectional control characters; undefined if it is empty. */
+export function cleanName(name: string | null): string | undefined {
+  const line = (name ?? '')
+    .replace(/[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/g, '')
+    .replace(/[\s\p{Cc}]+/gu, ' ')
+    .trim();
+  return line === '' ? undefined : line;
 }

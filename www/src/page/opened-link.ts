@@ -6,9 +6,10 @@
 
 import { importWithRetry } from '../dom/network';
 import type { OtherProgram } from './compare-own';
+import type { CheckedExercise } from './exercise-progress';
 import { find } from './find';
 import type { Fault, BarContent, LinkBar } from './link-bar';
-import type { LinkedProgram } from './linked';
+import { cleanName, exerciseAddress, type LinkedProgram } from './linked';
 import type { PageHost } from './page-host';
 import { PAGE_WORDS } from './words';
 
@@ -46,11 +47,18 @@ export class OpenedLink {
     playground.setAttribute('view', linked.view ?? 'all');
     playground.readonly = readonly;
     playground.step = linked.step;
-    playground.exercise = linked.exercise === undefined ? null : `exercises/${linked.exercise}.md`;
+    const answered = linked.exercise === null ? null : exerciseAddress(linked.exercise.id);
+    playground.exercise = linked.exerciseToDo ?? linked.exerciseText ?? answered;
     const from = cleanName(linked.name);
     if (linked.task !== null) this.#showBar({ kind: 'task', linked });
     else if (readonly || playground.view !== 'all') this.#showBar({ kind: 'only-shown', from });
     else this.#showAnswer(from);
+  }
+
+  /** Offers to hand in the answer to the exercise of the link after its first check. */
+  checked({ id, version, hints }: CheckedExercise): void {
+    if (this.current?.linked.exerciseToDo !== undefined)
+      this.#showBar({ kind: 'exercise', exercise: { id, version, hints } });
   }
 
   /** Resets the options, so that they do not affect the next link. */
@@ -124,13 +132,4 @@ export class OpenedLink {
       () => undefined,
     );
   }
-}
-
-/** The name as one line without bidirectional control characters; undefined if it is empty. */
-function cleanName(name: string | null): string | undefined {
-  const line = (name ?? '')
-    .replace(/[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/g, '')
-    .replace(/[\s\p{Cc}]+/gu, ' ')
-    .trim();
-  return line === '' ? undefined : line;
 }

@@ -490,7 +490,12 @@ function addListeners(): void {
   });
   // A program put in by a script has its own context, too.
   playground.addEventListener('gcode-report', onOriginChanged);
-  playground.addEventListener('gcode-checked', (event) => saveCheck((event as CustomEvent<CheckedExercise>).detail));
+  playground.addEventListener('gcode-checked', (event) => {
+    const { detail } = event as CustomEvent<CheckedExercise>;
+    // The check of an answer that a learner has handed in is not the reader's own progress.
+    if ((link.current?.linked.exercise ?? null) === null) saveCheck(detail);
+    link.checked(detail);
+  });
   playground.addEventListener('gcode-switch', scheduleSave);
   playground.addEventListener('gcode-setup', scheduleSave);
   window.addEventListener('pagehide', () => saveNow());
@@ -601,7 +606,7 @@ function removeLinkFromAddress(text: string): void {
 
 /** Whether the program is that of the link in the address, or an answer to its exercise, also a pasted one. */
 function isFromLink(): boolean {
-  return playground.origin === LINK_ORIGIN || link.current?.linked.exercise !== undefined;
+  return playground.origin === LINK_ORIGIN || link.current?.linked.exerciseToDo !== undefined;
 }
 
 /** Records the program as the work on the task it started from. */

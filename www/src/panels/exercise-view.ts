@@ -1,6 +1,6 @@
 // An exercise: the task with its drawing, hints on request, and the report on the learner's program.
 //
-// In: the address of an exercise file; the answers of the worker, in the language of the element. Out: the first program
+// In: the address of an exercise file, or its text; the answers of the worker, in the language of the element. Out: the first program
 // and the setup of the exercise; the event `gcode-checked` of the element after each check. Loaded when it is first
 // shown. Must not know: how a part is measured.
 
@@ -21,6 +21,8 @@ const TIMEOUT_MS = 20_000;
 /** The detail of the event `gcode-checked`. */
 export interface CheckedDetail {
   readonly id: string;
+  /** The checksum of the exercise file. */
+  readonly version: string;
   readonly passed: boolean;
   /** Number of hints that the learner has opened. */
   readonly hints: number;
@@ -101,7 +103,7 @@ export class ExerciseView {
   #render(exercise: ExerciseText, drawing: string | undefined): void {
     const texts = WORDS[this.#shell.language];
     this.#title.textContent = exercise.title;
-    this.#task.replaceChildren(...paragraphs(exercise.task));
+    this.#task.replaceChildren(...blocks(exercise.task));
     this.#checkButton.textContent = texts.check;
     this.#setDrawing(drawing);
     this.#renderHints(exercise);
@@ -134,6 +136,7 @@ export class ExerciseView {
     this.#showReport(report);
     const detail: CheckedDetail = {
       id: this.#exercise?.id ?? '',
+      version: this.#exercise?.version ?? '',
       passed: report.passed,
       hints: this.#shownHints,
       checks: report.checks.map(({ check, passed }) => ({ name: check, passed })),
@@ -187,8 +190,9 @@ export class ExerciseView {
   }
 }
 
-/** The text of the file; undefined if it cannot be loaded or is too long. */
+/** The text of the file; undefined if it cannot be loaded or is too long. A text that begins with `---` is the file itself. */
 async function load(address: string): Promise<string | undefined> {
+  if (address.startsWith('---')) return address.length > MAX_LENGTH ? undefined : address;
   try {
     const response = await withTimeout(fetch(new URL(address, document.baseURI)), TIMEOUT_MS);
     if (response === 'timeout' || !response.ok) return undefined;
@@ -238,11 +242,24 @@ function measuringReport(sizes: Graded['sizes'], texts: Texts): HTMLElement {
   );
 }
 
-function paragraphs(text: string): HTMLElement[] {
+/** Paragraphs and lists of the Markdown of a task. */
+function blocks(text: string): HTMLElement[] {
   return text
     .split(/\n\s*\n/)
-    .filter((paragraph) => paragraph.trim() !== '')
-    .map((paragraph) => make('p', {}, ...inline(paragraph)));
+    .filter((block) => block.trim() !== '')
+    .flatMap((block) => [...paragraph(block.split(/^(?=\s*(?:[*-]|\d+\.)\s)/m))]);
+}
+
+/** A paragraph and the list after it. `pieces`: its text, and the items with their markers. */
+function* paragraph(pieces: readonly string[]): Generator<HTMLElement> {
+  const marker = /^\s*(?:[*-]|\d+\.)\s+/;
+  const items = pieces.filter((piece) => marker.test(piece));
+  const before = pieces.filter((piece) => !marker.test(piece)).join('');
+  if (before.trim() !== '') yield make('p', {}, ...inline(before.trim()));
+  const [first] = items;
+  if (first === undefined) return;
+  const list = items.map((item) => make('li', {}, ...inline(item.replace(marker, '').trim())));
+  yield make(/^\s*\d/.test(first) ? 'ol' : 'ul', {}, ...list);
 }
 
 /** Text with `code` between backticks. */

@@ -7,6 +7,7 @@
 
 import type { PartName } from '../../pkg/part-files.js';
 import type {
+  AnswerReport,
   Calculation,
   CalculatorForm,
   Codes,
@@ -14,6 +15,7 @@ import type {
   Diagnostic,
   Dimension,
   DrilledHole,
+  ExerciseBlocks,
   ExerciseRead,
   ExerciseText,
   Graded,
@@ -53,12 +55,14 @@ import type {
 } from '../../pkg/gcode_playground.js';
 
 export type {
+  AnswerReport,
   CalculatorForm,
   Codes,
   Comparison,
   Diagnostic,
   Dimension,
   DrilledHole,
+  ExerciseBlocks,
   ExerciseRead,
   ExerciseText,
   Graded,
@@ -325,6 +329,10 @@ export interface Questions {
   };
   /** Checks the current program as the answer to an exercise. */
   'check-exercise': { args: { readonly text: string }; answer: Graded | undefined };
+  /** The blocks of an exercise whose part the current program makes. */
+  'exercise-blocks': { args: undefined; answer: ExerciseBlocks };
+  /** Checks another program as an answer; `text`: the exercise file. */
+  'grade-answer': { args: { readonly text: string; readonly answer: string }; answer: AnswerReport };
   /** The half-section of the part at the current position of the playback. */
   section: { args: undefined; answer: readonly SectionPiece[] };
   /** The holes drilled by live tools up to that position. */
@@ -438,6 +446,8 @@ export const RUN_DEPENDENT = {
   calculate: false,
   exercise: false,
   'check-exercise': true,
+  'exercise-blocks': true,
+  'grade-answer': false,
   export: false,
   'programs-in': false,
   'pieces-of': false,

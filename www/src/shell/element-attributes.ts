@@ -187,7 +187,7 @@ export class ElementAttributes extends Base {
     setOrRemove(this, 'calculator', name);
   }
 
-  /** The address of an exercise, whose task is shown over the program. */
+  /** The address of an exercise, or the text of its file; its task is shown over the program. */
   get exercise(): string | null {
     return this.getAttribute('exercise');
   }

@@ -17,7 +17,16 @@
 import { make } from '../dom/dom';
 import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encoding-list';
-import type { Diagnostic, DifferenceResult, ExportFormat, OtherVersion, Readout, Summary } from '../protocol/protocol';
+import type {
+  AnswerReport,
+  Diagnostic,
+  DifferenceResult,
+  ExerciseBlocks,
+  ExportFormat,
+  OtherVersion,
+  Readout,
+  Summary,
+} from '../protocol/protocol';
 import type { ClientPoint, Services, UserCommand } from '../panels/panel';
 import { ElementAttributes } from './element-attributes';
 import { shownControls } from './layout';
@@ -263,6 +272,21 @@ export class GcodePlayground extends ElementAttributes {
     const shell = this.#shell;
     await shell.complete;
     return shell.forPanels.ask('difference', other);
+  }
+
+  /** The blocks `setup` and `target` of an exercise whose part the program makes; undefined if it has changed. */
+  async exerciseBlocks(): Promise<ExerciseBlocks | undefined> {
+    const shell = this.#shell;
+    await shell.complete;
+    shell.forPanels.flush();
+    return shell.forPanels.ask('exercise-blocks', undefined);
+  }
+
+  /** The report on a program as an answer to an exercise; `exercise`: the text of its file. */
+  async gradeAnswer(exercise: string, answer: string): Promise<AnswerReport | undefined> {
+    const shell = this.#shell;
+    await shell.complete;
+    return shell.forPanels.ask('grade-answer', { text: exercise, answer });
   }
 
   /** Ends the comparison that `keepPart` started; one that the user started continues. */

@@ -56,6 +56,8 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
     answer: (core, { text }) => ({ read: core.exercise(text), drawing: core.exerciseDrawing(text) }),
   },
   'check-exercise': { needs: TEXT_PARTS, draws: 'now', answer: (core, { text }) => core.checkExercise(text) },
+  'exercise-blocks': { needs: TEXT_PARTS, waitsFor: 'part', answer: (core) => core.exerciseBlocks() },
+  'grade-answer': { needs: TEXT_PARTS, answer: (core, { text, answer }) => core.gradeAnswer(text, answer) },
   calculator: { needs: TEXT_PARTS, answer: (core, { name, at }) => core.calculatorForm(name, at === 'cursor') },
   calculate: {
     needs: TEXT_PARTS,

@@ -1,0 +1,281 @@
+// The dialog "Answers of a class": links and files of learners, and one row with the verdict on each.
+//
+// In: the host; texts and files. Out: a table, sorted and filtered; the same as CSV and as a page to print; links to the
+// answers. Nothing is sent. Must not know: how an answer is graded.
+
+import '../dom/dialog.css';
+import './share.css';
+import './answers.css';
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
+import { acceptFiles } from '../dom/drop';
+import type { Language } from '../dom/language';
+import { COMMON } from '../dom/words';
+import { EMPTY_SHARED, makeLink } from '../files/shared-link';
+import {
+  AnswerGrader,
+  HEAD_KEYS,
+  MAX_ANSWERS,
+  readFiles,
+  readLinks,
+  type AnswerRow,
+  type ChosenExercise,
+  type HeadKey,
+} from './answers';
+import { cellsOf, csvOf, sortKeyOf } from './answers-table';
+import { ANSWERS_WORDS } from './answers-words';
+import { loadExercise, loadExercises, titleOf } from './exercise-list';
+import { field } from './fields';
+import type { PageHost } from './page-host';
+import { printedPage, printedTable, setFile } from './printed';
+
+/** The value of the option for the exercises that the links name, and for a file of the teacher. */
+const FROM_LINKS = '';
+const OWN_FILE = '.file';
+
+let dialog: AnswersDialog | undefined;
+
+export function openAnswers(host: PageHost): void {
+  dialog ??= new AnswersDialog();
+  void dialog.open(host);
+}
+
+class AnswersDialog {
+  readonly #exercise = make('select');
+  readonly #links = make('textarea', { rows: 4, spellcheck: false, autocomplete: 'off', dir: 'ltr' });
+  readonly #filter = make('input', { type: 'search', autocomplete: 'off' });
+  readonly #files = make('input', { type: 'file', multiple: true, hidden: true });
+  readonly #ownExercise = make('input', { type: 'file', accept: '.md', hidden: true });
+  readonly #openOwn = make('button', { type: 'button', className: 'framed' });
+  readonly #openFiles = make('button', { type: 'button', className: 'framed' });
+  readonly #clear = make('button', { type: 'button', className: 'framed' });
+  readonly #status = make('p', { role: 'status', className: 'answers-status' });
+  readonly #head = make('tr');
+  readonly #body = make('tbody');
+  readonly #table = make(
+    'div',
+    { className: 'answers-table', tabIndex: 0, role: 'region', hidden: true },
+    make('table', {}, make('thead', {}, this.#head), this.#body),
+  );
+  readonly #csv = make('a', { className: 'button', download: 'answers.csv', hidden: true });
+  readonly #print = make('a', { className: 'button', download: 'answers.html', hidden: true });
+  readonly #check = make('button', { type: 'button', className: 'primary' });
+  readonly #fields = { exercise: field(this.#exercise), links: field(this.#links), filter: field(this.#filter) };
+  readonly #dialog = new Dialog(
+    'answers',
+    [
+      make('div', { className: 'answers-from' }, this.#fields.exercise.label, this.#openOwn, this.#ownExercise),
+      this.#fields.links.label,
+      this.#files,
+      this.#status,
+      this.#fields.filter.label,
+      this.#table,
+    ],
+    [this.#clear, this.#csv, this.#print, this.#openFiles, this.#check],
+  );
+  #host: PageHost | undefined;
+  #rows: readonly AnswerRow[] = [];
+  #grader: AnswerGrader | undefined;
+  #ownText: string | undefined;
+  #sortedBy: { readonly key: HeadKey; readonly isDescending: boolean } | undefined;
+  /** Number of requests; the rows of an earlier one are dropped. */
+  #requestCount = 0;
+
+  constructor() {
+    document.body.append(this.#dialog.element);
+    this.#check.addEventListener('click', () => void this.#addLinks());
+    this.#openFiles.addEventListener('click', () => this.#files.click());
+    this.#openOwn.addEventListener('click', () => this.#ownExercise.click());
+    this.#clear.addEventListener('click', () => this.#removeRows());
+    this.#filter.addEventListener('input', () => this.#render());
+    this.#files.addEventListener('change', () => {
+      const files = [...(this.#files.files ?? [])];
+      this.#files.value = '';
+      void this.#add(() => readFiles(files));
+    });
+    this.#ownExercise.addEventListener('change', () => void this.#readOwnExercise());
+    acceptFiles(this.#dialog.element, {
+      hint: () => ANSWERS_WORDS[this.#language].dropHere,
+      onDrop: (...files) => void this.#add(() => readFiles(files)),
+    });
+  }
+
+  get #language(): Language {
+    return this.#host?.language ?? 'en';
+  }
+
+  async open(host: PageHost): Promise<void> {
+    this.#host = host;
+    const { language } = host;
+    const texts = ANSWERS_WORDS[language];
+    this.#dialog.setTexts(texts.title, COMMON[language].close);
+    this.#dialog.about = texts.about;
+    for (const [part, text] of [
+      [this.#fields.exercise.caption, texts.exercise],
+      [this.#fields.links.caption, texts.links],
+      [this.#fields.filter.caption, texts.filter],
+      [this.#openOwn, texts.openExercise],
+      [this.#openFiles, texts.openFiles],
+      [this.#clear, texts.clear],
+      [this.#csv, texts.csv],
+      [this.#print, texts.print],
+      [this.#check, texts.check],
+    ] as const)
+      part.textContent = text;
+    this.#links.placeholder = texts.linksHint;
+    this.#table.setAttribute('aria-label', texts.title);
+    this.#render();
+    this.#dialog.show();
+    this.#links.focus();
+    await this.#fillExercises(language);
+  }
+
+  async #fillExercises(language: Language): Promise<void> {
+    const texts = ANSWERS_WORDS[language];
+    const chosen = this.#exercise.value;
+    const list = (await loadExercises()) ?? [];
+    const own = this.#ownText === undefined ? [] : [make('option', { value: OWN_FILE }, texts.ownExercise)];
+    this.#exercise.replaceChildren(
+      make('option', { value: FROM_LINKS }, texts.fromLinks),
+      ...own,
+      ...list.map((row) => make('option', { value: row.id }, titleOf(row, language))),
+    );
+    this.#exercise.value = chosen;
+  }
+
+  async #readOwnExercise(): Promise<void> {
+    const file = this.#ownExercise.files?.[0];
+    this.#ownExercise.value = '';
+    if (file === undefined) return;
+    this.#ownText = await file.text().catch(() => undefined);
+    await this.#fillExercises(this.#language);
+    if (this.#ownText !== undefined) this.#exercise.value = OWN_FILE;
+  }
+
+  async #addLinks(): Promise<void> {
+    const text = this.#links.value;
+    if (text.trim() === '') return;
+    const isAdded = await this.#add(() => readLinks(text));
+    if (isAdded) this.#links.value = '';
+  }
+
+  /** Adds and grades answers, each shown at once. Returns whether there were any. */
+  async #add(read: () => Promise<AnswerRow[]>): Promise<boolean> {
+    const host = this.#host;
+    if (host === undefined) return false;
+    const request = ++this.#requestCount;
+    const texts = ANSWERS_WORDS[this.#language];
+    const isCurrent = (): boolean => request === this.#requestCount;
+    const chosen = await this.#chosenExercise();
+    const added = await read().catch(() => undefined);
+    if (!isCurrent()) return false;
+    const before = this.#rows;
+    const rows = (added ?? []).slice(0, MAX_ANSWERS - before.length);
+    const isTooMany = rows.length < (added?.length ?? 0);
+    if (rows.length === 0) {
+      this.#status.textContent = isTooMany ? texts.tooMany(MAX_ANSWERS) : texts.none;
+      return false;
+    }
+    this.#grader ??= new AnswerGrader((exercise, answer) => host.playground.gradeAnswer(exercise, answer));
+    const done: AnswerRow[] = [];
+    for (const row of rows) {
+      this.#status.textContent = texts.checking(done.length + 1, rows.length);
+      done.push(await this.#grader.grade(row, chosen));
+      if (!isCurrent()) return false;
+      this.#rows = [...before, ...done];
+      this.#render();
+    }
+    const passed = this.#rows.filter(({ graded }) => graded?.report.passed === true).length;
+    const summary = texts.summary(passed, this.#rows.length);
+    this.#status.textContent = isTooMany ? `${summary} ${texts.tooMany(MAX_ANSWERS)}` : summary;
+    return true;
+  }
+
+  /** The exercise of the select element. */
+  async #chosenExercise(): Promise<ChosenExercise | undefined> {
+    const id = this.#exercise.value;
+    if (id === FROM_LINKS) return undefined;
+    const isForAll = id === OWN_FILE;
+    const text = isForAll ? this.#ownText : await loadExercise(id);
+    return text === undefined ? undefined : { text, isForAll };
+  }
+
+  #removeRows(): void {
+    this.#requestCount++;
+    this.#rows = [];
+    this.#grader = undefined;
+    this.#status.textContent = '';
+    this.#render();
+  }
+
+  #sortBy(key: HeadKey): void {
+    const isSame = this.#sortedBy?.key === key;
+    this.#sortedBy = { key, isDescending: isSame && !this.#sortedBy.isDescending };
+    this.#render();
+  }
+
+  /** The rows with the filter, in their order. */
+  get #shownRows(): readonly AnswerRow[] {
+    const texts = ANSWERS_WORDS[this.#language];
+    const wanted = this.#filter.value.trim().toLocaleLowerCase();
+    const found = this.#rows.filter((row) => cellsOf(row, texts).join(' ').toLocaleLowerCase().includes(wanted));
+    const sorted = this.#sortedBy;
+    if (sorted === undefined) return found;
+    const collator = new Intl.Collator(this.#language, { numeric: true });
+    const compare = (a: AnswerRow, b: AnswerRow): number =>
+      collator.compare(sortKeyOf(a, sorted.key, texts), sortKeyOf(b, sorted.key, texts));
+    return [...found].sort((a, b) => (sorted.isDescending ? compare(b, a) : compare(a, b)));
+  }
+
+  #render(): void {
+    const language = this.#language;
+    const texts = ANSWERS_WORDS[language];
+    const isEmpty = this.#rows.length === 0;
+    for (const part of [this.#table, this.#csv, this.#print, this.#clear, this.#fields.filter.label])
+      part.hidden = isEmpty;
+    this.#head.replaceChildren(...HEAD_KEYS.map((key) => this.#headCell(key)));
+    const rows = this.#shownRows;
+    this.#body.replaceChildren(...rows.map((row) => this.#tableRow(row)));
+    if (isEmpty) return;
+    const head = HEAD_KEYS.map((key) => texts.head[key]);
+    // A spreadsheet reads UTF-8 only after a byte order mark.
+    setFile(this.#csv, `\ufeff${csvOf(rows, texts)}`, 'text/csv;charset=utf-8');
+    const table = printedTable(
+      head,
+      rows.map((row) => cellsOf(row, texts)),
+    );
+    setFile(this.#print, printedPage(texts.title, language, table), 'text/html;charset=utf-8');
+  }
+
+  #headCell(key: HeadKey): HTMLElement {
+    const button = make('button', { type: 'button', className: 'link' }, ANSWERS_WORDS[this.#language].head[key]);
+    button.addEventListener('click', () => this.#sortBy(key));
+    const sorted = this.#sortedBy?.key === key ? this.#sortedBy : undefined;
+    const order = sorted === undefined ? 'none' : sorted.isDescending ? 'descending' : 'ascending';
+    return make('th', { scope: 'col', 'aria-sort': order }, button);
+  }
+
+  #tableRow(row: AnswerRow): HTMLElement {
+    const [name = '', ...cells] = cellsOf(row, ANSWERS_WORDS[this.#language]);
+    const { answer, graded } = row;
+    const title = make('th', { scope: 'row' }, name);
+    if (answer !== undefined && graded !== undefined) void this.#linkTo(row, title, name);
+    const state = graded === undefined ? 'not-graded' : graded.report.passed ? 'passed' : 'failed';
+    return make('tr', { className: state }, title, ...cells.map((text) => make('td', {}, text)));
+  }
+
+  /** Makes the name a link that opens the answer with its exercise in a new tab. */
+  async #linkTo({ answer, graded }: AnswerRow, cell: HTMLElement, name: string): Promise<void> {
+    if (answer === undefined || graded === undefined) return;
+    const { id, version, hints = 0, exerciseText } = graded;
+    const made = await makeLink({
+      ...EMPTY_SHARED,
+      text: answer.text,
+      exercise: { id, version, hints },
+      exerciseText,
+      name: answer.name === '' ? null : answer.name.slice(0, 80),
+    }).catch(() => undefined);
+    if (made?.kind !== 'link') return;
+    cell.replaceChildren(make('a', { href: made.link, target: '_blank', rel: 'noopener' }, name));
+  }
+}
