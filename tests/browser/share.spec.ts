@@ -201,7 +201,7 @@ test('every stored link opens in the page', async ({ page }) => {
   await open(page);
   for (const { what, link, opens } of storedLinks()) {
     await go(page, link);
-    const { task: _, answerTo: __, name, ...rest } = opens;
+    const { task: _, answerTo: __, exercise: ___, name, ...rest } = opens;
     await expect
       .poll(() => state(page), what)
       .toMatchObject({ setup: null, view: 'all', step: null, readonly: false, ...rest });

@@ -210,7 +210,7 @@ class AnswersDialog {
 
   #sortBy(key: HeadKey): void {
     const isSame = this.#sortedBy?.key === key;
-    this.#sortedBy = { key, isDescending: isSame && !this.#sortedBy.isDescending };
+    this.#sortedBy = { key, isDescending: isSame && this.#sortedBy?.isDescending === false };
     this.#render();
   }
 

@@ -22,7 +22,9 @@ export async function loadExercises(): Promise<readonly ListedExercise[] | undef
 
 /** The text of the file of an exercise; undefined if it cannot be loaded. */
 export async function loadExercise(id: string): Promise<string | undefined> {
-  return /^[a-z0-9-]{1,64}$/.test(id) ? load(exerciseAddress(id)) : undefined;
+  const text = /^[a-z0-9-]{1,64}$/.test(id) ? await load(exerciseAddress(id)) : undefined;
+  // Some servers answer a request for a missing file with a page.
+  return text?.startsWith('---') === true ? text : undefined;
 }
 
 export function titleOf({ id, title }: ListedExercise, language: Language): string {
