@@ -57,8 +57,8 @@ class AnswersDialog {
     { className: 'answers-table', tabIndex: 0, role: 'region', hidden: true },
     make('table', {}, make('thead', {}, this.#head), this.#body),
   );
-  readonly #csv = make('a', { className: 'button', download: 'answers.csv', hidden: true });
-  readonly #print = make('a', { className: 'button', download: 'answers.html', hidden: true });
+  readonly #csv = make('a', { className: 'framed', download: 'answers.csv', hidden: true });
+  readonly #print = make('a', { className: 'framed', download: 'answers.html', hidden: true });
   readonly #check = make('button', { type: 'button', className: 'primary' });
   readonly #fields = { exercise: field(this.#exercise), links: field(this.#links), filter: field(this.#filter) };
   readonly #dialog = new Dialog(
@@ -276,6 +276,6 @@ class AnswersDialog {
       name: answer.name === '' ? null : answer.name.slice(0, 80),
     }).catch(() => undefined);
     if (made?.kind !== 'link') return;
-    cell.replaceChildren(make('a', { href: made.link, target: '_blank', rel: 'noopener' }, name));
+    cell.replaceChildren(make('a', { className: 'link', href: made.link, target: '_blank', rel: 'noopener' }, name));
   }
 }

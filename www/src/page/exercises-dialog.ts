@@ -25,11 +25,11 @@ export function openExercises(host: PageHost): void {
 class ExercisesDialog {
   readonly #total = make('p', { className: 'exercises-total', role: 'status' });
   readonly #list = make('ol', { className: 'exercises-list' });
-  readonly #export = make('a', { className: 'button', download: 'exercises.json' });
-  readonly #certificate = make('a', { className: 'button', download: 'certificate.html' });
+  readonly #export = make('a', { className: 'framed', download: 'exercises.json' });
+  readonly #certificate = make('a', { className: 'framed', download: 'certificate.html' });
   readonly #import = make('input', { type: 'file', accept: '.json,application/json', hidden: true });
-  readonly #importButton = make('button', { type: 'button' });
-  readonly #answers = make('button', { type: 'button', 'aria-haspopup': 'dialog' });
+  readonly #importButton = make('button', { type: 'button', className: 'framed' });
+  readonly #answers = make('button', { type: 'button', className: 'framed', 'aria-haspopup': 'dialog' });
   readonly #dialog = new Dialog(
     'exercises',
     [this.#total, this.#list],

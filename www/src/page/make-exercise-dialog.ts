@@ -60,22 +60,21 @@ class MakeExerciseDialog {
     { name: 'safeEnd', ...field(this.#safeEnd) },
     { name: 'points', ...field(this.#points) },
   ] as const;
-  readonly #status = make('p', { role: 'status', className: 'make-exercise-status' });
+  readonly #status = make('p', { role: 'status' });
   readonly #output = make('textarea', { readOnly: true, hidden: true });
   readonly #qr = make('div', { className: 'drawn' });
-  readonly #try = make('a', { className: 'button', target: '_blank', rel: 'noopener' });
-  readonly #save = make('a', { className: 'button', download: 'exercise.md' });
+  readonly #try = make('a', { className: 'framed', target: '_blank', rel: 'noopener' });
+  readonly #save = make('a', { className: 'framed', download: 'exercise.md' });
   readonly #showQr = make('button', { type: 'button', className: 'framed' });
   readonly #copy = make('button', { type: 'button', className: 'primary' });
   readonly #dialog = new Dialog(
     'make-exercise',
     [
       make('div', { className: 'make-exercise-fields' }, ...this.#fields.map(({ label }) => label)),
-      this.#status,
       this.#qr,
       this.#output,
     ],
-    [this.#showQr, this.#save, this.#try, this.#copy],
+    [this.#status, this.#showQr, this.#save, this.#try, this.#copy],
   );
   #host: PageHost | undefined;
   /** The program that the blocks were made of. */
