@@ -264,8 +264,8 @@ fn removal(unusual: &Unusual, motions: &Motions) -> Message {
         Removal::ThreadDepth { depth, lead } => {
             said::ThreadDepthUnusual { depth: hundredth(depth), lead, usual: hundredth(0.65 * lead) }.into()
         }
-        Removal::ThreadRunOut(ShortRunOut { have, need }) => {
-            said::ThreadRunOut { have: hundredth(have), need: hundredth(need) }.into()
+        Removal::ThreadRunOut(ShortRunOut { available, required }) => {
+            said::ThreadRunOut { have: hundredth(available), need: hundredth(required) }.into()
         }
         Removal::BeyondBlank { z, back } => {
             let zero = motions.get(unusual.motion).process.zero.z;

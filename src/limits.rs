@@ -1,7 +1,7 @@
-//! All limits in one place, so that no program can hang a page or exhaust its memory. Each limit has a
-//! message.
+//! The limits of a run, so that no program can hang a page or exhaust its memory. A run that exceeds one of
+//! [`Limits`] reports it. Limits of single functions are next to these functions.
 //!
-//! Those in [`Limits`] can be set (`limits` of the setup): to any lower value, or to a higher one as far as
+//! [`Limits`] can be set (`limits` of the setup): to any lower value, or to a higher one as far as
 //! memory and the integer types allow. The constants are limits of the controls or of the data structures.
 
 use serde::Deserialize;
@@ -15,8 +15,9 @@ pub struct Limits {
     pub text: usize,
     /// Maximum number of motions.
     pub motions: usize,
-    /// Maximum moves of one cycle call, and of the contour it reads. Roughing a bar of 1 m diameter by 0.02
-    /// mm takes half as many; more are probably a misplaced decimal point, and the call is refused.
+    /// Maximum moves of one cycle call, and of the contour it reads. Roughing a bar of 1 m diameter in steps
+    /// of 0.02 mm takes half of the default; more are probably a misplaced decimal point, and the call is
+    /// refused.
     pub moves_per_cycle: usize,
     /// Maximum steps for work that produces no motion: each block of a contour that is read again (a long one
     /// takes several steps), and each move of a cycle that is refused or has no effect. Keeps many calls of
@@ -41,8 +42,8 @@ pub struct Limits {
     pub part_motions: usize,
     /// Maximum corners of the part.
     pub part_corners: usize,
-    /// Maximum blocks of a program whose numbers are compared with each other; ten times as many motions are
-    /// allowed.
+    /// Maximum blocks of a program for the lints that compare its numbers with each other; the maximum number
+    /// of motions is ten times this.
     pub compared_blocks: usize,
     /// Motions between two snapshots: after a change of the text, at least this many run again. It has no
     /// visible effect, so it is not a setting.
@@ -98,7 +99,7 @@ impl Limits {
     /// Checks that no limit exceeds its maximum. The error names the first limit that does.
     pub fn check(&self) -> Result<(), String> {
         match self.settings().into_iter().find(|(_, set, most)| set > most) {
-            Some((name, set, most)) => Err(format!("limits.{name} is {set}; it can be {most} at most")),
+            Some((name, set, most)) => Err(format!("limits.{name} is {set}; the maximum is {most}")),
             None => Ok(()),
         }
     }
@@ -116,39 +117,39 @@ fn with_maxima(schema: &mut schemars::Schema) {
 /// Bytes of a block of a contour that count as one step of [`Limits::cycle_work`].
 pub const BYTES_PER_STEP: usize = 64;
 
-/// The number of motions, from the first of a program, from which tools and blank are inferred.
+/// Number of motions at the start of a program from which tools and blank are inferred.
 pub const INFERRED_FROM: usize = 100_000;
 
 /// Maximum points of the outline of a blank.
 pub const OUTLINE_POINTS: usize = 200;
 
-/// Maximum words, and comments, of one block; a control accepts far fewer.
+/// Maximum number of words of a block, and of its comments; a control accepts far fewer.
 pub const WORDS_PER_BLOCK: usize = 64;
 
 /// Maximum digits of a number (PS0003).
-pub const DIGITS: u8 = 8;
+pub const MAX_DIGITS: u8 = 8;
 
 /// Largest value of a variable.
 pub const LARGEST_VARIABLE: f64 = 1e47;
 
 /// Maximum nesting of brackets, including brackets of functions and of `#[…]` (PS0118).
-pub const BRACKETS: u8 = 5;
+pub const MAX_BRACKETS: u8 = 5;
 
 /// Maximum nesting of loops (`DO`) in a program; a control accepts three.
-pub const LOOPS: usize = 30;
+pub const MAX_LOOPS: usize = 30;
 
 /// Levels of local variables below the main program.
 pub const MACRO_LEVELS: usize = 5;
 
-/// Maximum size of the buffer in which a page passes a text, bytes: twice the longest text that a setup can
-/// allow.
+/// Maximum size of a text that is read, bytes: from a page, a file or a message of an editor. Twice the
+/// maximum of [`Limits::text`], so that a run reports a text that is too long.
 pub const TEXT_BUFFER: usize = 512 << 20;
 
 /// Maximum length of a text that is searched for programs, bytes.
-pub const PASTED_TEXT: usize = 16 << 20;
+pub const MAX_PASTED_TEXT: usize = 16 << 20;
 
 /// Maximum number of programs listed for a text; the number of the others is reported.
-pub const FOUND_PROGRAMS: usize = 200;
+pub const MAX_FOUND_PROGRAMS: usize = 200;
 
 /// Maximum number of changed blocks listed for two versions of a program; the number of the others is
 /// reported.

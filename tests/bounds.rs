@@ -99,7 +99,7 @@ fn limits_are_set_by_name_and_within_reason() {
         let problem = limits(json).expect_err(what);
         assert!(problem.contains(what), "{problem}");
     };
-    refused(r#"{"limits": {"motions": 20000001}}"#, "limits.motions is 20000001; it can be 20000000 at most");
+    refused(r#"{"limits": {"motions": 20000001}}"#, "limits.motions is 20000001; the maximum is 20000000");
     refused(r#"{"limits": {"macroDepth": 6}}"#, "limits.macroDepth");
     refused(r#"{"limits": {"movements": 1}}"#, "unknown field `movements`");
     refused(r#"{"limits": {"stride": 1}}"#, "unknown field `stride`");

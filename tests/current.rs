@@ -176,13 +176,13 @@ fn the_clock_of_a_stopped_run_knows_all_its_motions() {
     current.advance(4000);
     let _ = current.clock();
     current.stop(1.0);
-    let whole = current.clock().whole().animation_seconds;
+    let whole = current.clock().total().animation_seconds;
     let fresh =
         gcode_playground::playback::clock::Clock::new(current.motions(), &current.run().setup().machine);
     assert!(
-        (whole - fresh.whole().animation_seconds).abs() < 1e-9,
+        (whole - fresh.total().animation_seconds).abs() < 1e-9,
         "{whole}, not {}",
-        fresh.whole().animation_seconds
+        fresh.total().animation_seconds
     );
 }
 

@@ -1,4 +1,4 @@
-//! The reviewed pictures of the gallery. `UPDATE_EXPECT=1 cargo test --test it golden::` writes them again;
+//! The reviewed pictures of the gallery. `UPDATE_EXPECT=1 cargo test --test it golden::` regenerates them;
 //! look at each changed one before you commit it.
 
 use crate::fixtures;
@@ -34,6 +34,7 @@ fn face(Analysis { motions, setup, .. }: &Analysis) -> Option<String> {
     let simulation = SimulationResult::of(motions, setup);
     let face = Face::of(motions, &simulation)?;
     let work = face.work(&simulation, None);
+    // An end face is about as high as wide; the default width is for half-sections.
     Some(svg(&face.moves().scene(work.as_ref()), &SvgOptions { width: 720.0, ..SvgOptions::default() }))
 }
 
@@ -53,5 +54,5 @@ fn pictures_are_the_committed_ones() {
     let files = std::fs::read_dir("tests/golden").expect("a folder");
     let mut left: Vec<_> = files.filter_map(|file| file.ok()?.file_name().into_string().ok()).collect();
     left.retain(|file| !names.contains(file));
-    assert!(left.is_empty(), "of no program: {left:?}");
+    assert!(left.is_empty(), "pictures without a program: {left:?}");
 }

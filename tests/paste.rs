@@ -1,7 +1,7 @@
 //! Programs inside other text: detection, cleaning, questions; and that no text is lost.
 use gcode_playground::api::paste::{FoundPrograms, pieces, shortened};
 use gcode_playground::control::codes::{self, Section};
-use gcode_playground::limits::{FOUND_PROGRAMS, PASTED_TEXT};
+use gcode_playground::limits::{MAX_FOUND_PROGRAMS, MAX_PASTED_TEXT};
 use gcode_playground::paste::{Found, Name, Program, Reason, Review, find};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
@@ -331,10 +331,10 @@ fn every_fixture_stays_as_it_is() {
 
 #[test]
 fn bounds_are_told() {
-    let many = "O1 G00 X1 Z1 M30\n".repeat(FOUND_PROGRAMS + 7);
+    let many = "O1 G00 X1 Z1 M30\n".repeat(MAX_FOUND_PROGRAMS + 7);
     let found = find(&many);
-    assert_eq!((found.programs.len(), found.more), (FOUND_PROGRAMS, 7));
-    assert!(find(&" ".repeat(PASTED_TEXT + 1)).too_long);
+    assert_eq!((found.programs.len(), found.more), (MAX_FOUND_PROGRAMS, 7));
+    assert!(find(&" ".repeat(MAX_PASTED_TEXT + 1)).too_long);
 }
 
 #[test]

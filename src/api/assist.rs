@@ -8,7 +8,7 @@ use tsify::Tsify;
 
 use super::Places;
 use crate::assist::Query;
-use crate::assist::complete::{Item, What};
+use crate::assist::complete::{Item, ProposalKind};
 use crate::assist::fact::Fact;
 use crate::assist::form::Form;
 use crate::assist::hover::Hover;
@@ -436,18 +436,18 @@ impl Reader<'_> {
             Some((first, _)) => format!("{first} …"),
             None => text.clone(),
         };
-        let kind = match item.what {
-            What::Code(..) => "code",
-            What::Word(..) => "word",
-            What::Sequence(_) | What::NextSequence | What::Program(_) => "place",
-            What::Variable(_) => "variable",
-            What::Snippet(_) => "snippet",
+        let kind = match item.kind {
+            ProposalKind::Code(..) => "code",
+            ProposalKind::Word(..) => "word",
+            ProposalKind::Sequence(_) | ProposalKind::NextSequence | ProposalKind::Program(_) => "place",
+            ProposalKind::Variable(_) => "variable",
+            ProposalKind::Snippet(_) => "snippet",
         };
         CompletionItem {
             label,
             text,
             fills,
-            detail: self.speak(|speaker| speaker.proposed(&item.what)),
+            detail: self.speak(|speaker| speaker.proposed(&item.kind)),
             kind,
         }
     }

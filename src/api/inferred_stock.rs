@@ -1,4 +1,4 @@
-//! The row of a stock that was inferred because the setup does not give one.
+//! The notice about a stock that was inferred because the setup gives none.
 
 use serde::Serialize;
 
@@ -12,11 +12,11 @@ use crate::units::Diameter;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct InferredStock {
-    /// Always `stock-assumed`; distinguishes the row from messages.
+    /// Always `stock-assumed`, an older name for inferred; distinguishes the row from messages.
     pub note: &'static str,
     /// The skipped checks.
     pub not_checked: [&'static str; 1],
-    /// The same as a text, with the comment that sets this stock.
+    /// The notice as text, with the program comment that gives this stock.
     pub message: String,
     /// The stock, as a setup has it.
     pub stock: StockRow,
@@ -45,8 +45,8 @@ impl InferredStock {
         let resolved = analysis.resolved_setup();
         let (stock, _) = resolved.stock().filter(|_| resolved.shows_part())?;
         let Stock { diameter, bore, face, length, .. } = stock;
-        let [diameter, bore] = [diameter, bore].map(|own| own.map(super::to_micrometres));
-        let [face, length] = [face, length].map(super::to_micrometres);
+        let [diameter, bore] = [diameter, bore].map(|value| value.map(super::rounded_to_thousandth));
+        let [face, length] = [face, length].map(super::rounded_to_thousandth);
         let note = as_comments::stock(&Stock { diameter, bore, face, length, grip: None });
         Some(Self {
             note: "stock-assumed",

@@ -1,8 +1,9 @@
 //! The data structures that leave the crate: rows for JavaScript and for the JSON output of the command line.
 //!
-//! In: motions and messages. Out: plain data in user units: X is a diameter, lines and columns count from 1,
-//! columns in UTF-16 units. No other room derives `Serialize`, except for `units::Diameter`, which these rows
-//! contain (`tests/rooms.rs`). The TypeScript types are generated from these rows.
+//! In: motions and messages. Out: rows, plain data in user conventions: lengths in mm, X is a diameter, lines
+//! and columns count from 1, columns in UTF-16 units. A row is one serialised object, for example one line of
+//! JSON output. No other room derives `Serialize`, except for `units::Diameter`, which these rows contain
+//! (`tests/rooms.rs`). The TypeScript types are generated from these rows.
 
 pub mod assist;
 pub mod calculate;
@@ -73,14 +74,16 @@ pub struct Diagnostic {
     pub from: u32,
     /// UTF-16 offset of the end.
     pub to: u32,
-    /// An alarm number, or a letter and a name: `E-…` for errors, `W-…`, `I-…` or `N-…` for everything else.
+    /// An alarm number, or a letter and a name. Only codes of errors have the letter E; W, I and N do not
+    /// give the severity.
     pub code: String,
-    /// Stable name of the fault.
+    /// Slug of the rule, such as `lead-missing`; it does not change.
     pub slug: String,
     /// Its severity.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"error\" | \"warning\" | \"info\""))]
     pub severity: String,
-    /// Whether the program is wrong, the playground does not support something, or it depends on the machine.
+    /// Whether the program is wrong, the playground does not support something, or the answer depends on the
+    /// machine.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"wrong\" | \"unsupported\" | \"machine\""))]
     pub kind: String,
     /// The message, one sentence.
@@ -89,7 +92,7 @@ pub struct Diagnostic {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub help: Option<String>,
-    /// The alarm that a control raises.
+    /// The alarm of the control as it is displayed; absent if a control raises none.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub alarm: Option<String>,
@@ -181,7 +184,7 @@ pub struct Edit {
     pub text: String,
 }
 
-/// A position in user units.
+/// A position of the tool, or a point of the part.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Place {
@@ -251,8 +254,8 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub frame: Option<String>,
-    /// Offset from `to` and `center` to the position on the workpiece, mm, X as a diameter: from the work
-    /// zero of the first cut to the current one. Omitted if zero.
+    /// The current work zero relative to that of the first cut, mm, X as a diameter: added to `to` and
+    /// `center`, it gives the position on the workpiece. Omitted if zero.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub offset: Option<Place>,
@@ -268,11 +271,11 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub seconds: Option<f64>,
-    /// Feed along the path at the end, mm/min.
+    /// Feed along the path at the end of the motion, mm/min; omitted at rapid, or if unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub feed: Option<f64>,
-    /// Spindle speed at the end, rpm.
+    /// Spindle speed at the end of the motion, rpm; omitted if unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub rpm: Option<f64>,
@@ -280,7 +283,7 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub tool: Option<String>,
-    /// The cycle it belongs to.
+    /// The code of its cycle, such as `G71`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub cycle: Option<&'static str>,
@@ -288,7 +291,8 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub pass: Option<u32>,
-    /// The step of the pass.
+    /// The step of the pass: `infeed`, `cut`, `pull-out`, `retract`, `return`, `approach`, `escape`,
+    /// `contour`, `relief` or `stepover`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub step: Option<&'static str>,
@@ -381,7 +385,7 @@ impl Summary {
         ]
     }
 
-    /// Counts motions and messages.
+    /// Counts motions and messages. The caller sets `blocks`, `lines` and `finished`.
     pub fn new(motions: &Motions, diagnostics: &[message::Diagnostic]) -> Self {
         let mut summary = Self { motions: motions.len() as u32, ..Self::default() };
         for chunk in motions.chunks() {
@@ -420,7 +424,7 @@ impl Summary {
 pub struct Part {
     /// The outline of each piece, counter-clockwise: `[z, x]`, mm, x a diameter.
     pub polygons: Vec<Vec<[f64; 2]>>,
-    /// The holes in the pieces.
+    /// The holes in all pieces, clockwise. [`SectionPiece`] has the holes of each piece.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub holes: Vec<Vec<[f64; 2]>>,
@@ -429,12 +433,6 @@ pub struct Part {
 impl Part {
     /// The pieces of a region.
     pub fn new(region: &Region) -> Self {
-        let outline = |points: Vec<Point>| -> Vec<[f64; 2]> {
-            points
-                .into_iter()
-                .map(|point| [rounded(point.z), rounded(Diameter::from_radius(point.x).mm())])
-                .collect()
-        };
         let mut part = Self::default();
         for piece in region.pieces() {
             part.polygons.push(outline(piece.outline));
@@ -444,7 +442,7 @@ impl Part {
     }
 }
 
-/// A piece of the half-section, for a view of the rotated body: `[z, x]`, mm, x a diameter.
+/// A piece of the half-section, for the 3D view: `[z, x]`, mm, x a diameter.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct SectionPiece {
@@ -456,12 +454,6 @@ pub struct SectionPiece {
 
 /// The half-section above the spindle axis, each piece with its holes.
 pub fn section(region: &Region) -> Vec<SectionPiece> {
-    let outline = |points: Vec<Point>| -> Vec<[f64; 2]> {
-        points
-            .into_iter()
-            .map(|point| [rounded(point.z), rounded(Diameter::from_radius(point.x).mm())])
-            .collect()
-    };
     let piece = |piece: Piece| SectionPiece {
         outline: outline(piece.outline),
         holes: piece.holes.into_iter().map(outline).collect(),
@@ -469,7 +461,12 @@ pub fn section(region: &Region) -> Vec<SectionPiece> {
     region.pieces().map(piece).collect()
 }
 
-/// A hole drilled by a live tool, for a view of the body.
+/// An outline as `[z, x]`, mm, x a diameter.
+fn outline(points: Vec<Point>) -> Vec<[f64; 2]> {
+    points.into_iter().map(|point| [rounded(point.z), rounded(Diameter::from_radius(point.x).mm())]).collect()
+}
+
+/// A hole drilled by a live tool, for the 3D view.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct DrilledHole {
@@ -497,11 +494,11 @@ pub fn holes(holes: &[LiveHole]) -> Vec<DrilledHole> {
 pub struct Comparison {
     /// The pieces that only one part has, the largest first; empty if the parts are the same.
     pub differences: Vec<Difference>,
-    /// The largest difference across the spindle axis.
+    /// The largest radial difference.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub radial: Option<Measure>,
-    /// The largest difference along the spindle axis.
+    /// The largest axial difference.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub axial: Option<Measure>,
@@ -520,9 +517,9 @@ pub struct Difference {
     pub x: [Diameter; 2],
     /// Minimum and maximum Z, mm.
     pub z: [f64; 2],
-    /// The longest measure across the spindle axis.
+    /// The longest radial measurement.
     pub radial: Measure,
-    /// The longest measure along the spindle axis.
+    /// The longest axial measurement.
     pub axial: Measure,
 }
 
@@ -530,7 +527,7 @@ pub struct Difference {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Measure {
-    /// Length, mm; across the axis as a radius.
+    /// Length, mm; a radial one on the radius.
     pub length: f64,
     /// The end closer to the axis, or to −Z.
     pub from: Place,
@@ -546,10 +543,10 @@ impl Comparison {
                 compare::Side::First => "first",
                 compare::Side::Second => "second",
             },
-            area: to_micrometres(difference.area),
+            area: rounded_to_thousandth(difference.area),
             x: [difference.bounds.min.x, difference.bounds.max.x]
-                .map(|x| Diameter::from_radius(x).map(to_micrometres)),
-            z: [difference.bounds.min.z, difference.bounds.max.z].map(to_micrometres),
+                .map(|x| Diameter::from_radius(x).map(rounded_to_thousandth)),
+            z: [difference.bounds.min.z, difference.bounds.max.z].map(rounded_to_thousandth),
             radial: Measure::new(difference.radial),
             axial: Measure::new(difference.axial),
         });
@@ -564,7 +561,7 @@ impl Comparison {
 impl Measure {
     fn new(measure: compare::Measure) -> Self {
         Self {
-            length: to_micrometres(measure.length()),
+            length: rounded_to_thousandth(measure.length()),
             from: measured_place(measure.from),
             to: measured_place(measure.to),
         }
@@ -573,13 +570,17 @@ impl Measure {
 
 /// A measured position in the section.
 fn measured_place(at: Point) -> Place {
-    Place { x: Diameter::from_radius(at.x).map(to_micrometres), z: to_micrometres(at.z), c: None, y: None }
+    Place {
+        x: Diameter::from_radius(at.x).map(rounded_to_thousandth),
+        z: rounded_to_thousandth(at.z),
+        c: None,
+        y: None,
+    }
 }
 
-/// Rounds to the third decimal, the precision of a measurement on a part.
-fn to_micrometres(value: f64) -> f64 {
-    let rounded = (value * 1e3).round() / 1e3;
-    if rounded == 0.0 { 0.0 } else { rounded }
+/// Rounds to three decimals, the precision of a measurement on a part. −0 becomes 0.
+fn rounded_to_thousandth(value: f64) -> f64 {
+    rounded_to(value, 1e3)
 }
 
 /// An edge of the part with its dimensions.
@@ -587,7 +588,8 @@ fn to_micrometres(value: f64) -> f64 {
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Dimension {
-    /// The kind of edge.
+    /// The kind of edge. `across`: a section through the material at one Z, from the outside to the bore or
+    /// the axis.
     #[cfg_attr(
         target_arch = "wasm32",
         tsify(type = "'cylinder' | 'face' | 'taper' | 'arc' | 'thread' | 'across'")
@@ -597,8 +599,8 @@ pub struct Dimension {
     pub x: [Diameter; 2],
     /// Z of the ends, mm.
     pub z: [f64; 2],
-    /// Length, mm: along the axis, also for a taper (L in C = (D - d) / L, seed 001); across the axis for a
-    /// face; the chord for an arc.
+    /// Length, mm: along the axis, also for a taper (L in C = (D − d) / L); on the radius for a face; the
+    /// chord for an arc.
     pub length: f64,
     /// Half angle of a taper, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -622,7 +624,7 @@ impl Dimension {
     /// The row of a feature.
     pub fn new(feature: &Feature) -> Self {
         let [from, to] = feature.ends();
-        let diameter = |radius: f64| Diameter::from_radius(radius).map(to_micrometres);
+        let diameter = |radius: f64| Diameter::from_radius(radius).map(rounded_to_thousandth);
         let (kind, x) = match feature.shape {
             Shape::Cylinder => ("cylinder", [from.x, to.x]),
             Shape::Face => ("face", [from.x, to.x]),
@@ -634,17 +636,17 @@ impl Dimension {
         let (mut angle, mut ratio, mut radius, mut lead) = (None, None, None, None);
         match feature.shape {
             Shape::Taper { half_angle, ratio: own } => {
-                (angle, ratio) = (Some(to_micrometres(half_angle.to_degrees())), own);
+                (angle, ratio) = (Some(rounded_to_thousandth(half_angle.to_degrees())), own);
             }
-            Shape::Arc { radius: own } => radius = Some(to_micrometres(own)),
-            Shape::Thread { lead: own, .. } => lead = Some(to_micrometres(own)),
+            Shape::Arc { radius: own } => radius = Some(rounded_to_thousandth(own)),
+            Shape::Thread { lead: own, .. } => lead = Some(rounded_to_thousandth(own)),
             Shape::Cylinder | Shape::Face | Shape::Across => {}
         }
         Self {
             kind,
             x: x.map(diameter),
-            z: [from.z, to.z].map(to_micrometres),
-            length: to_micrometres(match feature.shape {
+            z: [from.z, to.z].map(rounded_to_thousandth),
+            length: rounded_to_thousandth(match feature.shape {
                 Shape::Taper { .. } => (from.z - to.z).abs(),
                 _ => from.distance(to),
             }),
@@ -660,19 +662,19 @@ impl Dimension {
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Measurement {
-    /// The only picked place is an edge of the part.
+    /// The edge, if a single edge of the part is picked.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub edge: Option<Dimension>,
-    /// The only picked place is a corner.
+    /// The corner, if a single corner is picked.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub corner: Option<Place>,
-    /// Between two places, or the ends of the only one: along Z, along X (on the radius) and the shortest, mm.
+    /// Axial, radial and direct distance of the two places, or of the ends of a single line, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub distances: Option<[f64; 3]>,
-    /// Between two edges, or from the spindle axis, degrees.
+    /// Angle between two edges, or of the direct distance to the spindle axis, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub angle: Option<f64>,
@@ -694,10 +696,12 @@ impl Measurement {
             Found::Two(measured) => *measured,
         };
         match measured {
-            Measured::Angle(degrees) => Self { angle: Some(to_micrometres(degrees)), ..Self::default() },
+            Measured::Angle(degrees) => {
+                Self { angle: Some(rounded_to_thousandth(degrees)), ..Self::default() }
+            }
             Measured::Lengths { axial, radial, distance } => Self {
-                distances: Some([axial, radial, distance].map(to_micrometres)),
-                angle: Some(to_micrometres(radial.atan2(axial).to_degrees())),
+                distances: Some([axial, radial, distance].map(rounded_to_thousandth)),
+                angle: Some(rounded_to_thousandth(radial.atan2(axial).to_degrees())),
                 ..Self::default()
             },
         }
@@ -779,7 +783,7 @@ pub struct CodeColumn {
 pub struct CodeRow {
     /// The heading of the section.
     pub section: &'static str,
-    /// The codes in FANUC's system A, separated by blanks; empty if there is none.
+    /// The codes in FANUC's system A, separated by spaces; empty if there is none.
     pub a: String,
     /// In system B.
     pub b: String,
@@ -796,13 +800,12 @@ pub struct CodeRow {
     /// How the playground handles them.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"done\" | \"accepted\" | \"unsupported\""))]
     pub effect: &'static str,
-    /// The same as a text; empty if they are executed.
+    /// The effect as text; empty if the codes are executed.
     pub note: &'static str,
 }
 
 /// The table of supported codes in a language, with one list of codes first.
 pub fn codes(first: CodeList, language: Language) -> Codes {
-    // The other lists keep their order after it.
     let others = CodeList::ALL.into_iter().filter(|&list| list != first);
     let lists = [first].into_iter().chain(others);
     let columns = lists.map(|list| CodeColumn { key: column_key(list), name: list.name() }).collect();
@@ -859,7 +862,8 @@ impl CodeRow {
     }
 }
 
-/// A text with its lines; converts spans to lines, columns and UTF-16 offsets.
+/// A text with its lines; converts its spans to lines, columns and UTF-16 offsets. Not positions of the tool,
+/// see [`Place`].
 #[derive(Clone, Copy)]
 pub struct Places<'a> {
     /// The text.
@@ -1082,9 +1086,14 @@ fn place(point: Point) -> Place {
     Place { x: diameter(point.x), z: rounded(point.z), c: None, y: None }
 }
 
-/// Rounds to a millionth, which removes binary rounding errors.
+/// Rounds to six decimals, which removes binary rounding errors. −0 becomes 0.
 fn rounded(value: f64) -> f64 {
-    let rounded = (value * 1e6).round() / 1e6;
+    rounded_to(value, 1e6)
+}
+
+/// Rounds to a fraction 1/`factor`. −0 becomes 0.
+fn rounded_to(value: f64, factor: f64) -> f64 {
+    let rounded = (value * factor).round() / factor;
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 

@@ -126,7 +126,7 @@ impl Readout {
         let Shown { places, motions, clock, unit, resolved } = shown;
         let motion = motions.get(playhead.motion);
         let radius = at.x - motion.process.zero.x;
-        let (reading, whole) = (clock.at(motions, playhead), clock.whole());
+        let (reading, whole) = (clock.at(motions, playhead), clock.total());
         let machine = clock.machine();
         let rpm = timing::speed_at(&motion.process, machine, radius);
         let own = motion.rotary.and(motion.first_part(playhead.share).rotary);

@@ -11,7 +11,7 @@ use serde::Serialize;
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;
 
-use super::{Edit, Places, to_micrometres};
+use super::{Edit, Places, rounded_to_thousandth};
 use crate::machine::defaults::with_defaults;
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::message::{Levels, Severity};
@@ -211,8 +211,10 @@ impl SetupOverview {
         let start = (!motions.is_empty()).then(|| motions.get(0).at_tip().from);
         Self {
             stock: resolved.stock().map(|stock| name(stock.1)),
-            blank: resolved.stock().map(|(stock, _)| [stock.diameter.mm(), stock.length].map(to_micrometres)),
-            start: start.map(|at| [Diameter::from_radius(at.x).mm(), at.z].map(to_micrometres)),
+            blank: resolved
+                .stock()
+                .map(|(stock, _)| [stock.diameter.mm(), stock.length].map(rounded_to_thousandth)),
+            start: start.map(|at| [Diameter::from_radius(at.x).mm(), at.z].map(rounded_to_thousandth)),
             tools: tools.collect(),
         }
     }

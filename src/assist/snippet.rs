@@ -1,7 +1,7 @@
 //! Snippets of several words or blocks: the head of a program, a cycle with its contour, a loop.
 //!
-//! In: the control, its unit, the blank. Out: pieces of text, with placeholders. After a head, the default
-//! texts run without a message.
+//! In: the control, its unit, the blank. Out: pieces of text, with placeholders. After a program head, the
+//! snippets with their default texts run without messages.
 
 use super::Query;
 use super::form::g_of;
@@ -16,6 +16,17 @@ use crate::setup::dialect::{DecimalRule, Dialect, FeedMode, PqUnit};
 use crate::text::block::{Block, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::units::{Diameter, Unit, number, read_number};
+
+/// Clearance between the blank and the approach point, mm of diameter and mm along Z.
+const CLEARANCE: f64 = 2.0;
+/// Maximum distance of a tool that counts as near the face, mm.
+const MAX_NEAR: f64 = 20.0;
+/// From this lead, mm, the pull-out is half a lead: a whole one might reach beyond the start point.
+const MIN_LEAD_FOR_SHORT_PULL_OUT: f64 = 2.8;
+/// Number of bytes before the block that are searched for a thread.
+const SEARCHED: usize = 1 << 16;
+/// Spindle speed in the head of a program, rpm.
+const SPEED: f64 = 800.0;
 
 /// A piece of a snippet.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -91,43 +102,43 @@ impl Snippet {
         })
     }
 
-    /// Whether the control has the code.
-    pub fn is_there(self, dialect: &Dialect) -> bool {
+    /// Whether the control has the code; `true` for a snippet without a code.
+    pub fn is_supported(self, dialect: &Dialect) -> bool {
         self.code().is_none_or(|code| codes::written(code, dialect.code_list()).is_some())
     }
 
     /// The text of the snippet; `used`: the highest sequence number of the text.
-    pub fn pieces(self, asked: &Query, state: &State, used: u32) -> Vec<Piece> {
-        let reading = Reading { unit: state.unit, decimal: asked.dialect.decimal };
-        let stock = asked.setup.extents();
+    pub fn pieces(self, query: &Query, state: &State, used: u32) -> Vec<Piece> {
+        let reading = Reading { unit: state.unit, decimal: query.dialect.decimal };
+        let stock = query.setup.extents();
         let (blank, face) = (stock.map(|stock| stock.diameter.mm()), stock.map_or(0.0, |stock| stock.face));
         let (here, from) = (Diameter::from_radius(state.position.x).mm(), state.position.z);
         // If the tool is already near the work, the cut begins at its position.
-        let is_near = (face..face + NEAR).contains(&from) && here > 2.0 * CLEAR;
+        let is_near = (face..face + MAX_NEAR).contains(&from) && here > 2.0 * CLEARANCE;
         let outside = match (is_near, blank) {
-            (true, Some(blank)) => blank.min(here - CLEAR),
-            (true, None) => here - CLEAR,
+            (true, Some(blank)) => blank.min(here - CLEARANCE),
+            (true, None) => here - CLEARANCE,
             (false, blank) => blank.unwrap_or(50.0),
         };
         let reach = stock.map_or(30.0, |stock| (stock.length - stock.grip.unwrap_or(0.0)) / 2.0).min(30.0);
         let is_thread = self.code().is_some_and(cuts_thread);
-        let mut writing = Writing {
-            asked,
+        let mut writer = SnippetWriter {
+            query,
             reading,
             feed_mode: state.feed_mode,
             outside,
             face,
-            before: if is_near { from.min(face + CLEAR) } else { face + CLEAR },
+            before: if is_near { from.min(face + CLEARANCE) } else { face + CLEARANCE },
             reach,
-            lead: is_thread.then(|| lead_before(asked, reading)).flatten().unwrap_or(match state.unit {
+            lead: is_thread.then(|| lead_before(query, reading)).flatten().unwrap_or(match state.unit {
                 Unit::Millimetre => 2.0,
                 Unit::Inch => Unit::Inch.millimetres() / 16.0,
             }),
             sequences: (used + 10, used + 20),
             pieces: Vec::new(),
         };
-        writing.snippet(self, state.unit);
-        writing.pieces
+        writer.snippet(self, state.unit);
+        writer.pieces
     }
 }
 
@@ -148,30 +159,19 @@ fn lead(mm: f64, reading: Reading) -> String {
     if exact.len() > short.trim_end_matches('.').len() { exact.to_owned() } else { short }
 }
 
-/// Clearance between the blank and the approach point, mm of diameter and mm along Z.
-const CLEAR: f64 = 2.0;
-/// Maximum distance of a tool that counts as near the face, mm.
-const NEAR: f64 = 20.0;
-/// Smallest lead whose pull-out over a whole lead may reach beyond the start point, mm.
-const LEAD_PULLED_OUT: f64 = 2.8;
-/// Number of bytes before the block that are searched for a thread.
-const SEARCHED: usize = 1 << 16;
-/// Spindle speed in the head of a program, rpm.
-const SPEED: f64 = 800.0;
-
 /// The lead of the last thread before the block, mm: of a block that cuts one, or of a comment such as `M20X1.5`.
-fn lead_before(asked: &Query, reading: Reading) -> Option<f64> {
-    let end = (asked.block.span.start as usize).min(asked.text.len());
-    let searched = &asked.text[end.saturating_sub(SEARCHED)..end];
+fn lead_before(query: &Query, reading: Reading) -> Option<f64> {
+    let end = (query.block.span.start as usize).min(query.text.len());
+    let searched = &query.text[end.saturating_sub(SEARCHED)..end];
     let line = if searched.len() < end { searched.iter().position(|&byte| byte == b'\n')? + 1 } else { 0 };
     let begin = Resume::inside((end - searched.len() + line) as u32, 0);
-    let mut parser = Parser::resume(asked.text, begin);
+    let mut parser = Parser::resume(query.text, begin);
     let mut block = Block::default();
     let mut lead = None;
     while parser.next_block(&mut block) && (block.span.start as usize) < end {
-        let comments = block.comments.iter().map(|span| String::from_utf8_lossy(span.of(asked.text)));
+        let comments = block.comments.iter().map(|span| String::from_utf8_lossy(span.of(query.text)));
         lead = comments.rev().find_map(|comment| lead_in(&comment)).or(lead);
-        let threads = |word: &Word| g_of(word, asked.codes).is_some_and(cuts_thread);
+        let threads = |word: &Word| g_of(word, query.codes).is_some_and(cuts_thread);
         if block.words.iter().any(threads) {
             let word = block.words.iter().find(|word| word.address == b'F' && !word.comma);
             lead = word.and_then(|word| reading.feed(word)).filter(|&lead| lead > 0.0).or(lead);
@@ -190,11 +190,12 @@ fn lead_in(comment: &str) -> Option<f64> {
     })
 }
 
-struct Writing<'a> {
-    asked: &'a Query<'a>,
+/// Writes the pieces of a snippet.
+struct SnippetWriter<'a> {
+    query: &'a Query<'a>,
     reading: Reading,
     feed_mode: FeedMode,
-    /// Diameter of the blank, mm.
+    /// Diameter at which the cut begins, mm: of the blank, or less if the tool is already closer.
     outside: f64,
     /// Z of the face of the blank, mm.
     face: f64,
@@ -209,7 +210,7 @@ struct Writing<'a> {
     pieces: Vec<Piece>,
 }
 
-impl Writing<'_> {
+impl SnippetWriter<'_> {
     fn fixed(&mut self, text: &str) {
         match self.pieces.last_mut() {
             Some(Piece::Fixed(before)) => before.push_str(text),
@@ -222,25 +223,26 @@ impl Writing<'_> {
     }
 
     fn code(&mut self, code: G) {
-        let code = codes::written(code, self.asked.codes).unwrap_or_default();
+        let code = codes::written(code, self.query.codes).unwrap_or_default();
         self.fixed(&code);
     }
 
-    /// Writes a word with a length in mm as a placeholder; the value is round in inches, too.
+    /// Writes a word with a length in mm as a placeholder; rounded to a short number if the program is in
+    /// inches.
     fn length(&mut self, letter: &str, mm: f64) {
         let round = match self.reading.unit {
             Unit::Millimetre => mm,
             Unit::Inch => {
                 let inches: f64 = mm / Unit::Inch.millimetres();
-                let grain = if inches.abs() < 0.1 { 1000.0 } else { 100.0 };
-                (inches * grain).round() / grain * Unit::Inch.millimetres()
+                let steps_per_inch = if inches.abs() < 0.1 { 1000.0 } else { 100.0 };
+                (inches * steps_per_inch).round() / steps_per_inch * Unit::Inch.millimetres()
             }
         };
         self.fixed(&format!(" {letter}"));
         self.fill(written(round, self.reading));
     }
 
-    /// The feed of a cut: mm per revolution, or the equivalent per minute.
+    /// The feed of a cut: mm per revolution, or per minute at [`SPEED`].
     fn feed(&mut self, mm: f64) {
         match self.feed_mode {
             FeedMode::PerTurn => self.length("F", mm),
@@ -250,7 +252,7 @@ impl Writing<'_> {
 
     /// Writes P or Q, which take no decimal point, with a length as a placeholder.
     fn depth(&mut self, letter: &str, mm: f64) {
-        if self.asked.dialect.pq_unit == PqUnit::Mm {
+        if self.query.dialect.pq_unit == PqUnit::Mm {
             return self.length(letter, mm);
         }
         self.fixed(&format!(" {letter}"));
@@ -261,20 +263,20 @@ impl Writing<'_> {
     /// Writes a word with a length in mm as a placeholder, rounded to the increment.
     fn exact(&mut self, letter: &str, mm: f64) {
         self.fixed(&format!(" {letter}"));
-        let grain = self.reading.unit.increment() * self.reading.unit.millimetres();
-        self.fill(written((mm / grain).round() * grain, self.reading));
+        let step = self.reading.unit.increment() * self.reading.unit.millimetres();
+        self.fill(written((mm / step).round() * step, self.reading));
     }
 
     /// The height of the thread, mm, in whole increments: 0.65 of its lead, if the blank is thick enough.
     fn thread_height(&self) -> f64 {
-        let grain = self.reading.unit.increment() * self.reading.unit.millimetres();
-        ((0.65 * self.lead).min(self.outside / 4.0) / grain).round() * grain
+        let step = self.reading.unit.increment() * self.reading.unit.millimetres();
+        ((0.65 * self.lead).min(self.outside / 4.0) / step).round() * step
     }
 
     /// A depth rounded to a hundredth of a millimetre or a thousandth of an inch.
     fn round_depth(&self, mm: f64) -> f64 {
-        let grain = 10.0 * self.reading.unit.increment() * self.reading.unit.millimetres();
-        (mm / grain).round().max(1.0) * grain
+        let step = 10.0 * self.reading.unit.increment() * self.reading.unit.millimetres();
+        (mm / step).round().max(1.0) * step
     }
 
     /// A diameter up to `most` mm smaller than the blank, but at least half of it.
@@ -298,9 +300,6 @@ impl Writing<'_> {
         match snippet {
             Snippet::Head => self.head(unit),
             Snippet::End => self.end(),
-            Snippet::Cycle(Multiple::Finishing) | Snippet::Second(Multiple::Finishing) => {
-                self.block(Multiple::Finishing, CycleBlock::Second)
-            }
             Snippet::Cycle(cycle) => {
                 self.block(cycle, CycleBlock::First);
                 self.line();
@@ -352,10 +351,10 @@ impl Writing<'_> {
                 self.fill("100");
                 self.fixed(" GT ");
                 self.fill("0");
-                let last = self.sequences.0;
-                self.fixed(&format!("] GOTO {last}\n"));
+                let target = self.sequences.0;
+                self.fixed(&format!("] GOTO {target}\n"));
                 self.fill("");
-                self.fixed(&format!("\nN{last}"));
+                self.fixed(&format!("\nN{target}"));
             }
         }
     }
@@ -380,8 +379,8 @@ impl Writing<'_> {
         self.fill(number(SPEED));
         self.fixed(" M03\n");
         self.code(G::Motion(MotionMode::Rapid));
-        self.length("X", self.outside + CLEAR);
-        self.length("Z", self.face + CLEAR);
+        self.length("X", self.outside + CLEARANCE);
+        self.length("Z", self.face + CLEARANCE);
     }
 
     fn end(&mut self) {
@@ -435,7 +434,7 @@ impl Writing<'_> {
             Sample::ThreadPacked => {
                 self.fixed(&format!(" {letter}"));
                 // Two finishing passes, and a pull-out over one lead where the start point is that far away.
-                self.fill(if self.lead < LEAD_PULLED_OUT { "021060" } else { "020560" });
+                self.fill(if self.lead < MIN_LEAD_FOR_SHORT_PULL_OUT { "021060" } else { "020560" });
             }
         }
     }
@@ -444,27 +443,27 @@ impl Writing<'_> {
     fn contour(&mut self, cycle: Multiple) {
         let (first, last) = self.sequences;
         let (rapid, line) = (MotionMode::Rapid, MotionMode::Line);
-        let block = |writing: &mut Self, head: &str, mode: MotionMode| {
-            writing.fixed(&format!("\n{head}"));
-            writing.code(G::Motion(mode));
+        let move_block = |writer: &mut Self, head: &str, mode: MotionMode| {
+            writer.fixed(&format!("\n{head}"));
+            writer.code(G::Motion(mode));
         };
         let (from, to) = (format!("N{first} "), format!("N{last} "));
         match cycle {
             Multiple::RoughTurning | Multiple::Pattern => {
-                block(self, &from, rapid);
+                move_block(self, &from, rapid);
                 // Pattern repeating (G73) is for a blank that is already close to the contour.
                 self.length("X", self.inward(if cycle == Multiple::Pattern { 8.0 } else { 20.0 }));
-                block(self, "", line);
+                move_block(self, "", line);
                 self.length("Z", self.along(2.0 / 3.0));
-                block(self, &to, line);
-                self.lengths(&[("X", self.outside + CLEAR), ("Z", self.along(1.0))]);
+                move_block(self, &to, line);
+                self.lengths(&[("X", self.outside + CLEARANCE), ("Z", self.along(1.0))]);
             }
             Multiple::RoughFacing => {
-                block(self, &from, rapid);
+                move_block(self, &from, rapid);
                 self.length("Z", self.along(1.0 / 3.0));
-                block(self, "", line);
+                move_block(self, "", line);
                 self.length("X", self.inward(20.0));
-                block(self, &to, line);
+                move_block(self, &to, line);
                 self.length("Z", self.before);
             }
             _ => return,

@@ -1,7 +1,7 @@
 //! The calculators of a word: the R of a taper, the depths of a cycle, a speed.
 //!
 //! In: the block at a place as executed, and the motions of the run. Out: the calculators that fit the word there,
-//! their first values, and the edits that write the results into the block.
+//! their initial values, and the edits that write the results into the block.
 
 use super::{Block, Calculator, Outcome, Word, WordValue, Writing};
 use crate::assist::Query;
@@ -33,13 +33,19 @@ pub struct Change {
 /// Values that differ by less than half of it are the same, mm.
 const INCREMENT: f64 = 0.001;
 
+/// Initial permitted error of the lead at the start of a thread, as a fraction of it.
+const LEAD_ERROR: f64 = 0.01;
+
+/// Initial cutting speed of a thread, m/min.
+const THREAD_CUTTING_SPEED: f64 = 80.0;
+
 /// The calculators that fit the word at a byte, the most useful first.
-pub fn calculators(asked: &Query, byte: u32, motions: &Motions) -> &'static [&'static str] {
-    let Some(visit) = asked.visit.filter(|visit| visit.purpose.is_none()) else { return &[] };
-    let Some(role) = asked.hover(byte, &[], motions).and_then(|hover| hover.role) else { return &[] };
-    // The worked formulas of speeds are metric.
+pub fn calculators(query: &Query, byte: u32, motions: &Motions) -> &'static [&'static str] {
+    let Some(visit) = query.visit.filter(|visit| visit.purpose.is_none()) else { return &[] };
+    let Some(role) = query.hover(byte, &[], motions).and_then(|hover| hover.role) else { return &[] };
+    // The formulas of speeds are metric, so they are not offered in inch programs.
     let is_metric = visit.after.state.unit == Unit::Millimetre;
-    match (Form::of(asked.block, &visit.before.state, asked.codes), role) {
+    match (Form::of(query.block, &visit.before.state, query.codes), role) {
         (Form::Motion { mode: MotionMode::Cycle(_), .. }, Role::TaperX) => &["r-of-g90"],
         (Form::Motion { mode: MotionMode::Cycle(_), .. }, Role::TaperZ) => &["r-of-g94"],
         (
@@ -63,18 +69,20 @@ pub fn calculators(asked: &Query, byte: u32, motions: &Motions) -> &'static [&'s
     }
 }
 
-/// The first values of a calculator at a block, in millimetres; `None` for a value that the block does not give.
-pub fn values(calculator: &Calculator, asked: &Query, motions: &Motions) -> Vec<Option<f64>> {
-    let block = Values { asked, motions };
+/// The initial values of a calculator at a block, in millimetres; `None` for a value that the block does not
+/// give.
+pub fn values(calculator: &Calculator, query: &Query, motions: &Motions) -> Vec<Option<f64>> {
+    let block = Values { query, motions };
     let unknown = || calculator.fields.iter().map(|_| None).collect::<Vec<_>>();
-    let Some(visit) = asked.visit else { return unknown() };
+    let Some(visit) = query.visit else { return unknown() };
     let (before, after) = (&visit.before.state, &visit.after.state);
     let start = (Diameter::from_radius(before.position.x).mm(), before.position.z);
     let role = |role: Role| block.value(role);
     match calculator.name {
         "r-of-g90" => {
             let (xe, ze, r) = cycle_end(before, after);
-            // The point of the drawing that the present R leads to: at Z0, if the cut passes it.
+            // The start of the taper in the drawing, for the current R: at Z0 if the cut passes Z0, else at
+            // the start point.
             let z1 =
                 if (ze.min(start.1)..ze.max(start.1)).contains(&0.0) && ze != 0.0 { 0.0 } else { start.1 };
             let share = if start.1 == ze { 1.0 } else { (z1 - ze) / (start.1 - ze) };
@@ -82,14 +90,14 @@ pub fn values(calculator: &Calculator, asked: &Query, motions: &Motions) -> Vec<
         }
         "r-of-g94" => {
             let (xe, ze, r) = cycle_end(before, after);
-            let bar = asked.setup.stock.as_ref().map(|stock| stock.extents().diameter.mm());
+            let bar = query.setup.stock.as_ref().map(|stock| stock.extents().diameter.mm());
             let x1 = bar.filter(|bar| (xe.min(start.0)..xe.max(start.0)).contains(bar) && *bar != xe);
             let x1 = x1.unwrap_or(start.0);
             let share = if start.0 == xe { 1.0 } else { (x1 - xe) / (start.0 - xe) };
             vec![Some(x1), Some(ze + r * share), Some(xe), Some(ze), Some(start.0)]
         }
         "passes-of-g76" => {
-            let partner = partner(asked);
+            let partner = partner(query);
             let other = |role: Role| {
                 block.value(role).or_else(|| partner.as_ref().and_then(|own| block.value_in(own, role)))
             };
@@ -109,14 +117,15 @@ pub fn values(calculator: &Calculator, asked: &Query, motions: &Motions) -> Vec<
         }
         "passes-of-g71" => vec![Some(start.0), None, role(Role::PassDepth)],
         "steps-of-g73" => {
-            let bar = asked.setup.stock.as_ref().map(|stock| stock.extents().diameter.mm());
+            let bar = query.setup.stock.as_ref().map(|stock| stock.extents().diameter.mm());
             let relief = role(Role::ReliefX);
             let least = bar.zip(relief).map(|(bar, relief)| bar - 2.0 * relief).filter(|least| *least >= 0.0);
             vec![bar, least, role(Role::PatternPasses)]
         }
         "columns-of-g75" => {
             let width = role(Role::PeckWayZ).or_else(|| role(Role::PeckEndZ).map(|z| z - start.1));
-            let tool = asked.setup.tools.values().find_map(|tool| tool.width);
+            // The first tool with a width, because most setups have only one.
+            let tool = query.setup.tools.values().find_map(|tool| tool.width);
             vec![width, role(Role::StepOver), tool]
         }
         "speed" => {
@@ -126,17 +135,17 @@ pub fn values(calculator: &Calculator, asked: &Query, motions: &Motions) -> Vec<
         }
         "run-in" => {
             let speed = Some(after.spindle.rpm).filter(|rpm| *rpm > 0.0 && !after.spindle.surface);
-            vec![speed, role(Role::Lead), Some(0.01)]
+            vec![speed, role(Role::Lead), Some(LEAD_ERROR)]
         }
         "thread-height" => {
-            vec![asked.setup.stock.as_ref().map(|stock| stock.extents().diameter.mm()), role(Role::Lead)]
+            vec![query.setup.stock.as_ref().map(|stock| stock.extents().diameter.mm()), role(Role::Lead)]
         }
         "thread-by-name" => {
             let end = [Role::ThreadEndZ, Role::CycleEndZ, Role::EndZ].into_iter().find_map(role);
             let way = [Role::ThreadWayZ, Role::CycleWayZ, Role::WayZ].into_iter().find_map(role);
             vec![None, Some(start.1), end.or_else(|| way.map(|way| start.1 + way))]
         }
-        "thread-speed" => vec![role(Role::Lead), Some(80.0)],
+        "thread-speed" => vec![role(Role::Lead), Some(THREAD_CUTTING_SPEED)],
         _ => unknown(),
     }
 }
@@ -151,26 +160,26 @@ fn cycle_end(before: &State, after: &State) -> (f64, f64, f64) {
 
 /// The values of the words of a block.
 struct Values<'a> {
-    asked: &'a Query<'a>,
+    query: &'a Query<'a>,
     motions: &'a Motions,
 }
 
 impl Values<'_> {
-    /// The value of the word with a role in the own block, mm.
+    /// The value of the word with a role in the block at the cursor, mm.
     fn value(&self, role: Role) -> Option<f64> {
-        self.value_in(self.asked.block, role)
+        self.value_in(self.query.block, role)
     }
 
-    /// The same in another block, read in the same state.
+    /// The value of the word with a role in another block that is executed in the same state, mm.
     fn value_in(&self, block: &block::Block, role: Role) -> Option<f64> {
-        let query = Query { block, ..*self.asked };
+        let query = Query { block, ..*self.query };
         let hovers = block.words.iter().filter_map(|word| query.hover(word.span.start, &[], self.motions));
         hovers.filter(|hover| hover.role == Some(role)).find_map(|hover| millimetres(hover.quantity?))
     }
 
     /// The value of a word of a block, mm.
     fn value_of(&self, block: &block::Block, word: &block::Word) -> Option<f64> {
-        let query = Query { block, ..*self.asked };
+        let query = Query { block, ..*self.query };
         millimetres(query.hover(word.span.start, &[], self.motions)?.quantity?)
     }
 }
@@ -189,65 +198,66 @@ fn millimetres(quantity: fact::Quantity) -> Option<f64> {
     })
 }
 
-/// Which block of a multiple cycle a block is, and its code.
-fn half_of(asked: &Query, block: &block::Block) -> Option<(Multiple, CycleBlock)> {
-    block.words.iter().find_map(|word| match g_of(word, asked.codes) {
+/// The multiple cycle of a block, and which of its blocks it is.
+fn cycle_block_of(query: &Query, block: &block::Block) -> Option<(Multiple, CycleBlock)> {
+    block.words.iter().find_map(|word| match g_of(word, query.codes) {
         Some(G::Multiple(cycle)) => Some((cycle, cycle_block(cycle, block))),
         _ => None,
     })
 }
 
 /// The other block of a multiple cycle, in the line before or after.
-fn partner(asked: &Query) -> Option<block::Block> {
-    let (cycle, half) = half_of(asked, asked.block)?;
-    let lines = LineIndex::new(asked.text);
+fn partner(query: &Query) -> Option<block::Block> {
+    let (cycle, half) = cycle_block_of(query, query.block)?;
+    let lines = LineIndex::new(query.text);
     let wanted = match half {
-        CycleBlock::First => (asked.block.line + 1, CycleBlock::Second),
-        CycleBlock::Second => (asked.block.line.checked_sub(1)?, CycleBlock::First),
+        CycleBlock::First => (query.block.line + 1, CycleBlock::Second),
+        CycleBlock::Second => (query.block.line.checked_sub(1)?, CycleBlock::First),
         CycleBlock::Whole => return None,
     };
-    let line = lines.line(asked.text, wanted.0);
-    let (_, block) = block_at(asked.text, Resume::inside(line.start, wanted.0), line.start);
-    (half_of(asked, &block)? == (cycle, wanted.1)).then_some(block)
+    let line = lines.line(query.text, wanted.0);
+    let (_, block) = block_at(query.text, Resume::inside(line.start, wanted.0), line.start);
+    (cycle_block_of(query, &block)? == (cycle, wanted.1)).then_some(block)
 }
 
-/// The edits that write the blocks of a result into the block of the question, and into the other block of its cycle.
-/// Words that have the value already stay as they are; a missing word is added. Empty if no block fits.
-pub fn edits(asked: &Query, motions: &Motions, outcome: &Outcome, writing: Writing) -> Vec<Change> {
-    let own = half_of(asked, asked.block).map(|(_, half)| half);
+/// The edits that write the blocks of a result into the block at the cursor, and into the other block of its
+/// cycle. Words that have the value already stay as they are; a missing word is added. Empty if no block
+/// fits.
+pub fn edits(query: &Query, motions: &Motions, outcome: &Outcome, writing: Writing) -> Vec<Change> {
+    let own = cycle_block_of(query, query.block).map(|(_, half)| half);
     let mut changes = Vec::new();
     for block in &outcome.blocks {
         if block.code == "G97" {
-            changes.extend(speed_word(asked, motions, block, writing));
+            changes.extend(speed_word(query, motions, block, writing));
         } else if block.half == own {
-            changes.extend(written_into(asked, motions, asked.block, block, writing));
+            changes.extend(written_into(query, motions, query.block, block, writing));
         } else if let (None, Some(lead)) = (own, block.words.iter().find(|word| word.letter == b'F')) {
             // G32 and G92 have one block for each pass: only the lead is written.
             let lead = Block { code: "", half: None, words: vec![lead.clone()] };
-            changes.extend(written_into(asked, motions, asked.block, &lead, writing));
-        } else if let Some(other) = partner(asked) {
-            changes.extend(written_into(asked, motions, &other, block, writing));
+            changes.extend(written_into(query, motions, query.block, &lead, writing));
+        } else if let Some(other) = partner(query) {
+            changes.extend(written_into(query, motions, &other, block, writing));
         }
     }
     changes.sort_by_key(|change| change.span.start);
     changes
 }
 
-/// Only S of a speed is written: G96 stays.
-fn speed_word(asked: &Query, motions: &Motions, result: &Block, writing: Writing) -> Vec<Change> {
-    let surface = asked.visit.is_some_and(|visit| visit.after.state.spindle.surface);
-    if surface { Vec::new() } else { written_into(asked, motions, asked.block, result, writing) }
+/// Writes S of a speed in rpm. Under G96, where S is a cutting speed, nothing is written.
+fn speed_word(query: &Query, motions: &Motions, result: &Block, writing: Writing) -> Vec<Change> {
+    let surface = query.visit.is_some_and(|visit| visit.after.state.spindle.surface);
+    if surface { Vec::new() } else { written_into(query, motions, query.block, result, writing) }
 }
 
-/// The changes that write a result into a block. A distance (U, W) stays a distance.
+/// The changes that write a result into a block. An incremental word (U, W) stays incremental.
 fn written_into(
-    asked: &Query,
+    query: &Query,
     motions: &Motions,
     block: &block::Block,
     result: &Block,
     writing: Writing,
 ) -> Vec<Change> {
-    let start = asked.visit.map(|visit| visit.before.state.position).unwrap_or_default();
+    let start = query.visit.map(|visit| visit.before.state.position).unwrap_or_default();
     let start = (Diameter::from_radius(start.x).mm(), start.z);
     let mut changes = Vec::new();
     let mut missing = String::new();
@@ -260,27 +270,27 @@ fn written_into(
             b'R' if result.half.is_none() => b"RIK",
             _ => std::slice::from_ref(&word.letter),
         };
-        let is_it = |own: &&block::Word| alternatives.contains(&own.address) && !own.comma;
-        let Some(own) = block.words.iter().find(is_it) else {
-            if is_in_force(asked, word) {
+        let is_it = |other: &&block::Word| alternatives.contains(&other.address) && !other.comma;
+        let Some(present) = block.words.iter().find(is_it) else {
+            if is_in_force(query, word) {
                 continue;
             }
             missing.push(' ');
             missing.push_str(&writing.word(word, None));
             continue;
         };
-        let value = match (word.value, word.letter, own.address) {
+        let value = match (word.value, word.letter, present.address) {
             (WordValue::Length(mm), b'X', b'U') => WordValue::Length(mm - start.0),
             (WordValue::Length(mm), b'Z', b'W') => WordValue::Length(mm - start.1),
             (WordValue::Length(mm), b'W', b'Z') => WordValue::Length(mm + start.1),
             (value, ..) => value,
         };
-        let before = quote(asked.text, own.span);
-        let mut new = writing.word(&Word { letter: own.address, value }, before.get(1..));
+        let before = quote(query.text, present.span);
+        let mut new = writing.word(&Word { letter: present.address, value }, before.get(1..));
         if before.starts_with(|letter: char| letter.is_ascii_lowercase()) {
             new.make_ascii_lowercase();
         }
-        let current = Values { asked, motions }.value_of(block, own);
+        let current = Values { query, motions }.value_of(block, present);
         let wanted = match value {
             WordValue::Length(value)
             | WordValue::PerTurn(value)
@@ -293,7 +303,7 @@ fn written_into(
             _ => new == before,
         };
         if !is_same {
-            changes.push(Change { span: own.span, text: new });
+            changes.push(Change { span: present.span, text: new });
         }
     }
     if !missing.is_empty() {
@@ -303,9 +313,10 @@ fn written_into(
     changes
 }
 
-/// Whether an omitted X or Z of a single cycle has the value already.
-fn is_in_force(asked: &Query, word: &Word) -> bool {
-    let Some(visit) = asked.visit else { return false };
+/// Whether an omitted X or Z has the value already: that of the single cycle in force, else that of the start
+/// point.
+fn is_in_force(query: &Query, word: &Word) -> bool {
+    let Some(visit) = query.visit else { return false };
     let (x, z, _) = cycle_end(&visit.before.state, &visit.after.state);
     match (word.letter, word.value) {
         (b'X', WordValue::Length(mm)) => (mm - x).abs() < INCREMENT / 2.0,
@@ -314,7 +325,7 @@ fn is_in_force(asked: &Query, word: &Word) -> bool {
     }
 }
 
-/// The texts of the fields for first values; empty for an unknown one.
+/// The texts of the fields for initial values; empty for an unknown one.
 pub fn shown(calculator: &Calculator, values: &[Option<f64>], writing: Writing) -> Vec<String> {
     let fields = calculator.fields.iter().zip(values);
     fields
@@ -323,9 +334,9 @@ pub fn shown(calculator: &Calculator, values: &[Option<f64>], writing: Writing) 
 }
 
 impl Writing {
-    /// How the block of a question is written.
-    pub fn of(asked: &Query) -> Self {
-        let unit = asked.visit.map_or(Unit::Millimetre, |visit| visit.after.state.unit);
-        Self { unit, decimal: asked.dialect.decimal, pq_unit: asked.dialect.pq_unit }
+    /// How the block at the cursor is written.
+    pub fn of(query: &Query) -> Self {
+        let unit = query.visit.map_or(Unit::Millimetre, |visit| visit.after.state.unit);
+        Self { unit, decimal: query.dialect.decimal, pq_unit: query.dialect.pq_unit }
     }
 }

@@ -7,7 +7,8 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand};
 
 use super::options::{
-    ControlName, Destination, Form, Input, LanguageName, PageFormat, Texts, TurretName, ViewName, With,
+    ControlName, Destination, Input, LanguageName, LanguageOptions, OutputFormat, PageFormat, ProgramOptions,
+    TurretName, ViewName,
 };
 use super::schema::SchemaOf;
 #[cfg(not(target_arch = "wasm32"))]
@@ -28,33 +29,33 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Check programs and report what is wrong with them.
     Check(check::Check),
-    /// Find the programs in a text (of a PDF, a slide, a forum) and write one of them out, cleaned.
+    /// Find the programs in a text (of a PDF, a slide, a forum) and print one of them, cleaned up.
     Clean(clean::Clean),
     /// Write a program as the element `<gcode-playground>` for a page, with its picture for readers without
     /// JavaScript; or check the pictures that pages have.
     Embed(embed::Embed),
-    /// Print every motion as one JSON object a line.
+    /// Print every motion as one JSON object per line.
     Motions(Input),
     /// Write the program out with every cycle, corner and compensation as plain moves.
     Expand {
         #[command(flatten)]
         input: Input,
         #[command(flatten)]
-        to: Destination,
+        destination: Destination,
     },
-    /// Write plain moves that form a cycle as that cycle (the four moves of a G90, say);
-    /// the motions stay the same.
+    /// Replace plain moves that form a cycle with the cycle, for example the four moves of G90. The motions
+    /// stay the same.
     Rewrite {
         #[command(flatten)]
         input: Input,
         #[command(flatten)]
-        texts: Texts,
+        texts: LanguageOptions,
         #[command(flatten)]
-        to: Destination,
+        destination: Destination,
     },
-    /// Write blanks, case and the leading zeros of G and M codes uniformly. The motions stay the same.
+    /// Format spaces, letter case and leading zeros of G and M codes. The motions stay the same.
     Format(format::Format),
-    /// Write new sequence numbers (N); P, Q, GOTO and M99 P follow. The motions stay the same.
+    /// Write new sequence numbers (N); P, Q, GOTO and M99 P are updated. The motions stay the same.
     Renumber(renumber::Renumber),
     /// List the codes that are supported.
     Codes {
@@ -62,9 +63,9 @@ pub(super) enum Command {
         #[arg(long, value_enum)]
         control: Option<ControlName>,
         #[command(flatten)]
-        texts: Texts,
+        texts: LanguageOptions,
         #[command(flatten)]
-        form: Form,
+        form: OutputFormat,
     },
     /// List the rules: slug, severity, code, alarm, category.
     Rules {
@@ -72,16 +73,16 @@ pub(super) enum Command {
         #[arg(long)]
         setup: Vec<PathBuf>,
         #[command(flatten)]
-        texts: Texts,
+        texts: LanguageOptions,
         #[command(flatten)]
-        form: Form,
+        form: OutputFormat,
     },
     /// Explain a rule: what it looks at, why, and what to do, with an example.
     Explain {
         /// Its name, or the code that its messages show (`PS0010`).
         rule: String,
         #[command(flatten)]
-        texts: Texts,
+        texts: LanguageOptions,
         /// Text for people, one JSON object for each rule, or Markdown for a page.
         #[arg(long, value_enum, default_value = "text")]
         format: PageFormat,
@@ -91,12 +92,12 @@ pub(super) enum Command {
         /// The kind of file.
         of: SchemaOf,
     },
-    /// Show what a program is run with and how it is checked, and which file or option says so.
+    /// Show the effective settings for a program, and the file or option each one comes from.
     Config(configuration::shown::Config),
-    /// Answer an editor on standard input and output, as a server of the Language Server Protocol.
+    /// Run a language server (LSP) on standard input and output.
     #[cfg(not(target_arch = "wasm32"))]
     Server(server::Serve),
-    /// Print what a shell needs to complete commands and options.
+    /// Print the completion script of a shell.
     #[cfg(not(target_arch = "wasm32"))]
     Completions {
         /// The shell.
@@ -106,52 +107,52 @@ pub(super) enum Command {
     /// Print the manual page, as `man` reads it.
     #[cfg(not(target_arch = "wasm32"))]
     ManPage,
-    /// Print what is left of the blank as JSON: the half-section as polygons of [z, x], x a diameter.
+    /// Print the finished part as JSON: the half-section as polygons of [z, x], x a diameter.
     Part(Input),
-    /// Add up time, cutting length and extents for each tool.
+    /// Print the time, cutting length and extents for each tool, and in total.
     Summary {
         #[command(flatten)]
         input: Input,
         #[command(flatten)]
-        form: Form,
+        form: OutputFormat,
     },
-    /// Write a file for people or other programs: table, setup sheet, profile, solid.
+    /// Export a program as a table, setup sheet, profile or solid.
     Export {
         /// What to write.
         #[arg(value_enum)]
         format: FileFormat,
         #[command(flatten)]
         input: Input,
-        /// Language of the texts in `svg` and `card`, English when left out; the other formats take none.
+        /// Language of the texts in `svg` and `card`, English by default; not allowed with other formats.
         #[arg(long, visible_alias = "language", value_enum)]
         lang: Option<LanguageName>,
         #[command(flatten)]
-        to: Destination,
+        destination: Destination,
     },
-    /// Lay the parts of two programs over each other, and measure where they differ.
+    /// Compare the parts of two programs, and measure the differences.
     Compare {
         /// The first program.
         first: PathBuf,
         /// The second program.
         second: PathBuf,
         #[command(flatten)]
-        with: With,
+        with: ProgramOptions,
         #[command(flatten)]
-        form: Form,
+        form: OutputFormat,
         /// Where to write a picture of the differences, as SVG.
         #[arg(short, long)]
         output: Option<PathBuf>,
     },
-    /// Lay two versions of a program beside each other: the blocks that differ, and what each changes in the motion.
+    /// Compare two versions of a program: the changed blocks, and how each changes the motions.
     Diff(diff::Diff),
-    /// Run the answers to an exercise, and list which make the wanted part and pass its checks.
+    /// Run the answers to an exercise, and list which make the required part and pass its checks.
     Grade(grade::Grade),
-    /// Write the wanted part of an exercise from a program: its outline with tolerances, and its setup.
+    /// Write the target part of an exercise from a program: its outline with tolerances, and its setup.
     Target {
         #[command(flatten)]
         input: Input,
         #[command(flatten)]
-        to: Destination,
+        destination: Destination,
     },
     /// Draw the toolpath as SVG.
     Svg {
@@ -160,7 +161,7 @@ pub(super) enum Command {
         /// The half-section, or the end face with what is milled there under polar interpolation or along Y, and drilled; or the side, unrolled.
         #[arg(long, value_enum, default_value = "section")]
         view: ViewName,
-        /// Which side of the spindle the turret is on; X+ is drawn there. That of the setup when left out.
+        /// Which side of the spindle the turret is on; X+ is drawn there. Default: that of the setup.
         #[arg(long, value_enum)]
         turret: Option<TurretName>,
         /// Dimensions and letters over the half-section: `cycle` or `cycle:LINE`, `part`, `nose`, or `word:LINE:COLUMN`.
@@ -170,6 +171,6 @@ pub(super) enum Command {
         #[arg(long, value_parser = clap::value_parser!(u16).range(40..=400))]
         print: Option<u16>,
         #[command(flatten)]
-        to: Destination,
+        destination: Destination,
     },
 }

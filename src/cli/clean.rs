@@ -6,7 +6,7 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use super::options::{Destination, Texts};
+use super::options::{Destination, LanguageOptions};
 use super::system::Stream;
 use super::{encoding, print, print_to, read, save};
 use crate::api::paste::shortened;
@@ -29,7 +29,7 @@ pub(super) struct Clean {
     #[arg(long, default_value_t = 1)]
     program: usize,
     #[command(flatten)]
-    texts: Texts,
+    texts: LanguageOptions,
     #[command(flatten)]
     to: Destination,
 }
@@ -41,7 +41,7 @@ pub(super) fn run(clean: &Clean) -> Result<(), String> {
     let text = String::from_utf8_lossy(&bytes);
     let found = paste::find(&text);
     if found.too_long {
-        return Err(format!("{name}: the text is longer than {} MB", crate::limits::PASTED_TEXT >> 20));
+        return Err(format!("{name}: the text is longer than {} MB", crate::limits::MAX_PASTED_TEXT >> 20));
     }
     if clean.list {
         return print(|out| list(out, &found));

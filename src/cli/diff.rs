@@ -4,7 +4,7 @@
 
 use std::path::PathBuf;
 
-use super::options::{PageFormat, Texts, With};
+use super::options::{LanguageOptions, PageFormat, ProgramOptions};
 use super::system::print_error_line;
 use super::{NAME, Program, Status, print, program_with, save_apart, write_row};
 use crate::api::difference::{Change, Later, ProgramDifference, Row};
@@ -26,9 +26,9 @@ pub(super) struct Diff {
     /// The second version.
     second: PathBuf,
     #[command(flatten)]
-    with: With,
+    with: ProgramOptions,
     #[command(flatten)]
-    texts: Texts,
+    texts: LanguageOptions,
     /// How to write it.
     #[arg(long, value_enum, default_value = "text")]
     format: PageFormat,

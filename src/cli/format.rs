@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::change::{Output, Source};
 use super::check::paths;
 use super::configuration::Configurations;
-use super::options::With;
+use super::options::ProgramOptions;
 use super::system::print_error_line;
 use super::{NAME, Status, counted};
 use crate::format::edits;
@@ -22,7 +22,7 @@ pub(super) struct Format {
     #[arg(required = true)]
     files: Vec<PathBuf>,
     #[command(flatten)]
-    with: With,
+    with: ProgramOptions,
     #[command(flatten)]
     output: Output,
     #[command(flatten)]

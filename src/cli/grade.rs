@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 
 use super::diff::cell;
-use super::options::{Destination, Texts};
+use super::options::{Destination, LanguageOptions};
 use super::system::{self, print_error_line};
 use super::terminal::json;
 use super::{NAME, Status, encoding, read, save_apart};
@@ -34,7 +34,7 @@ pub(super) struct Grade {
     #[arg(long)]
     details: bool,
     #[command(flatten)]
-    texts: Texts,
+    texts: LanguageOptions,
     /// How to write it.
     #[arg(long, value_enum, default_value = "text")]
     format: GradeFormat,

@@ -68,7 +68,7 @@ use crate::setup::dialect::{CodeList, GSystem};
 use arguments::{Arguments, Command};
 use configuration::Configurations;
 use encoding::Encoding;
-use options::{Format, Input, TurretName, ViewName, With};
+use options::{Format, Input, ProgramOptions, TurretName, ViewName};
 pub use status::Status;
 use system::{Stream, print_error_line};
 
@@ -157,12 +157,14 @@ fn run(command: Command) -> Result<Status, String> {
             })?;
             Ok(status(&program.analysis))
         }
-        Command::Expand { input, to } => {
+        Command::Expand { input, destination } => {
             let program = program_run(&input, Run::traced)?;
-            save(to.file(), &export::expanded(&program))?;
+            save(destination.file(), &export::expanded(&program))?;
             Ok(status(&program.analysis))
         }
-        Command::Rewrite { input, texts, to } => rewrite::write(&input, texts.language(), to.file()),
+        Command::Rewrite { input, texts, destination } => {
+            rewrite::write(&input, texts.language(), destination.file())
+        }
         Command::Format(format) => format::run(&format),
         Command::Renumber(renumber) => renumber::run(&renumber),
         Command::Codes { control, texts, form } => {
@@ -171,7 +173,8 @@ fn run(command: Command) -> Result<Status, String> {
             Ok(Status::Right)
         }
         Command::Rules { setup, texts, form } => {
-            let levels = setup_of(Path::new("program"), &With { setup, ..With::default() })?.rules;
+            let levels =
+                setup_of(Path::new("program"), &ProgramOptions { setup, ..ProgramOptions::default() })?.rules;
             print(|out| rules::write(out, &levels, texts.language(), form.format))?;
             Ok(Status::Right)
         }
@@ -224,13 +227,13 @@ fn run(command: Command) -> Result<Status, String> {
             })?;
             Ok(status(&program.analysis))
         }
-        Command::Export { format, input, lang, to } => {
+        Command::Export { format, input, lang, destination } => {
             let language = export::language(format, lang)?;
             let program = program_run(&input, |run| if format.needs_trace() { run.traced() } else { run })?;
             let file = export::file(&program, format, language)?;
             match format {
-                FileFormat::Program => save(to.file(), &file)?,
-                _ => save_apart(to.file(), &file)?,
+                FileFormat::Program => save(destination.file(), &file)?,
+                _ => save_apart(destination.file(), &file)?,
             }
             Ok(status(&program.analysis))
         }
@@ -247,15 +250,15 @@ fn run(command: Command) -> Result<Status, String> {
         }
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Grade(arguments) => grade::run(&arguments),
-        Command::Target { input, to } => {
+        Command::Target { input, destination } => {
             let program = program(&input)?;
-            save_apart(to.file(), target::blocks(&program)?.as_bytes())?;
+            save_apart(destination.file(), target::blocks(&program)?.as_bytes())?;
             Ok(status(&program.analysis))
         }
-        Command::Svg { input, view, turret, figure, print, to } => {
+        Command::Svg { input, view, turret, figure, print, destination } => {
             let program = program(&input)?;
             let svg = svg(&program, view, turret, figure, print)?;
-            save_apart(to.file(), svg.as_bytes())?;
+            save_apart(destination.file(), svg.as_bytes())?;
             Ok(status(&program.analysis))
         }
     }
@@ -397,7 +400,11 @@ fn program_run(input: &Input, begin: impl FnOnce(Run) -> Run) -> Result<Program,
 }
 
 /// Like [`program_run`], with file and setup options given separately.
-fn program_with(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Result<Program, String> {
+fn program_with(
+    file: &Path,
+    with: &ProgramOptions,
+    begin: impl FnOnce(Run) -> Run,
+) -> Result<Program, String> {
     let configurations = Configurations::new(with)?;
     let setup = configurations.settings(file)?.setup.clone();
     let (name, text) = read(file)?;
@@ -434,7 +441,7 @@ fn run_at_control(
 }
 
 /// The setup for a program: its configuration, overridden by the options.
-fn setup_of(file: &Path, with: &With) -> Result<Setup, String> {
+fn setup_of(file: &Path, with: &ProgramOptions) -> Result<Setup, String> {
     Ok(Configurations::new(with)?.settings(file)?.setup.clone())
 }
 

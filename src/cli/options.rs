@@ -16,12 +16,12 @@ pub(super) struct Input {
     /// The program; `-` reads standard input.
     pub file: PathBuf,
     #[command(flatten)]
-    pub with: With,
+    pub with: ProgramOptions,
 }
 
 /// Setup options of programs.
 #[derive(clap::Args, Default)]
-pub(super) struct With {
+pub(super) struct ProgramOptions {
     /// Setup: control, tools, stock, start point, as JSON or TOML, or the outline of the blank as DXF. Given more than
     /// once (a machine, a table of tools), of each group the last one holds.
     #[arg(long)]
@@ -43,13 +43,13 @@ pub(super) struct With {
 
 /// Language of the output.
 #[derive(clap::Args)]
-pub(super) struct Texts {
-    /// Language of messages and other texts, English when left out.
+pub(super) struct LanguageOptions {
+    /// Language of messages and other texts, English by default.
     #[arg(long, visible_alias = "language", value_enum)]
     lang: Option<LanguageName>,
 }
 
-impl Texts {
+impl LanguageOptions {
     /// The requested language, by default English.
     pub fn language(&self) -> Language {
         self.given().unwrap_or(Language::English)
@@ -63,8 +63,8 @@ impl Texts {
 
 /// Format of the output.
 #[derive(clap::Args)]
-pub(super) struct Form {
-    /// Text for people, or one JSON object a line.
+pub(super) struct OutputFormat {
+    /// Text for people, or one JSON object per line.
     #[arg(long, value_enum, default_value = "text")]
     pub format: Format,
 }
@@ -72,7 +72,7 @@ pub(super) struct Form {
 /// Destination of the output.
 #[derive(clap::Args)]
 pub(super) struct Destination {
-    /// Where to write it; standard output when left out.
+    /// Where to write it; standard output by default.
     #[arg(short, long)]
     output: Option<PathBuf>,
 }

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use super::Status;
 use super::change::{Output, Source};
 use super::configuration::Configurations;
-use super::options::With;
+use super::options::ProgramOptions;
 use crate::renumber::{self, Blocks, Numbering, Reason, Refused, edits};
 use crate::run::analyze;
 
@@ -20,7 +20,7 @@ pub(super) struct Renumber {
     /// The program; `-` reads standard input and writes to standard output.
     file: PathBuf,
     #[command(flatten)]
-    with: With,
+    with: ProgramOptions,
     /// The number of the first block of each program.
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..))]
     from: u32,

@@ -7,13 +7,14 @@
 use std::ops::RangeInclusive;
 
 use super::evidence::Evidence;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, Motion, Step};
 
-/// Greatest distance of roughing from the contour, mm: the allowances U and W.
-const ALLOWANCE: f64 = 3.0;
+/// Maximum distance of roughing from the contour, mm: the allowances U and W.
+const MAX_ALLOWANCE: f64 = 3.0;
 
-/// Most roughing cycles that are compared with a finishing cycle.
+/// Maximum number of roughing cycles that are compared with a finishing cycle.
 const MAX_COMPARED: usize = 50;
 
 /// The finishing cycles whose side is known, in order: their motions, and 1 outside, −1 inside.
@@ -26,15 +27,12 @@ impl Finishings {
         let (mut found, mut roughed) = (Vec::new(), Vec::new());
         let mut call: Option<Call> = None;
         for (index, motion) in evidence.moves().enumerate() {
-            let own = call.as_mut().filter(|call| call.takes(&motion));
-            match own {
+            let current = call.as_mut().filter(|call| call.contains(&motion));
+            match current {
                 Some(call) => call.add(index, &motion),
                 None => {
-                    close(
-                        std::mem::replace(&mut call, Call::begin(index, &motion)),
-                        &mut roughed,
-                        &mut found,
-                    );
+                    close(call.take(), &mut roughed, &mut found);
+                    call = Call::begin(index, &motion);
                 }
             }
         }
@@ -57,8 +55,8 @@ struct Call {
     last: usize,
     /// Start point.
     start: Point,
-    /// Lowest and highest coordinates of the cuts along the contour.
-    area: Option<[Point; 2]>,
+    /// The box around the cuts along the contour.
+    area: Option<Bounds>,
     pass: u32,
     is_over: bool,
 }
@@ -76,7 +74,7 @@ impl Call {
     }
 
     /// Whether a motion belongs to this call. After the move back to the start point, the next call begins.
-    fn takes(&self, motion: &Motion) -> bool {
+    fn contains(&self, motion: &Motion) -> bool {
         !self.is_over && motion.cycle.is_some_and(|step| step.cycle == self.cycle)
     }
 
@@ -92,25 +90,22 @@ impl Call {
             (self.pass, self.area) = (step.pass, None);
         }
         let (from, to) = (motion.from, motion.to);
-        let [low, high] = self.area.unwrap_or([from, from]);
-        self.area = Some([
-            Point::new(low.x.min(from.x).min(to.x), low.z.min(from.z).min(to.z)),
-            Point::new(high.x.max(from.x).max(to.x), high.z.max(from.z).max(to.z)),
-        ]);
+        self.area = Some(self.area.unwrap_or(Bounds::of(from)).with(from).with(to));
     }
 }
 
-/// Whether a finishing cycle is where a contour was roughed: it reaches equally deep along the axis and
-/// towards the workpiece.
-fn is_same_contour([low, high]: [Point; 2], [own_low, own_high]: [Point; 2], side: i32) -> bool {
-    let near = |a: f64, b: f64| (a - b).abs() <= ALLOWANCE;
-    let deepest = if side > 0 { near(low.x, own_low.x) } else { near(high.x, own_high.x) };
-    deepest && near(low.z, own_low.z)
+/// Whether a finishing cycle follows a roughed contour: both end at about the same Z and the same depth in X.
+fn is_same_contour(roughed: Bounds, finished: Bounds, side: i32) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= MAX_ALLOWANCE;
+    let is_as_deep =
+        if side > 0 { near(roughed.min.x, finished.min.x) } else { near(roughed.max.x, finished.max.x) };
+    is_as_deep && near(roughed.min.z, finished.min.z)
 }
 
+/// Records a finished call: roughing in `roughed`; finishing in `found`, if its side is known.
 fn close(
     call: Option<Call>,
-    roughed: &mut Vec<([Point; 2], i32)>,
+    roughed: &mut Vec<(Bounds, i32)>,
     found: &mut Vec<(RangeInclusive<usize>, i32)>,
 ) {
     let Some(call) = call else { return };
@@ -125,7 +120,7 @@ fn close(
         return;
     }
     // The material lies between the start point and the contour.
-    let away = call.start.x - (area[0].x + area[1].x) / 2.0;
+    let away = call.start.x - (area.min.x + area.max.x) / 2.0;
     if away.abs() > SAME {
         roughed.push((area, if away > 0.0 { 1 } else { -1 }));
     }

@@ -9,9 +9,9 @@ use crate::cycles::threading::run_out;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Motion, SpindleSpeed};
 
-/// Least height of a shoulder above the crest of the thread, mm: less is a burr or the diameter before
+/// Minimum height of a shoulder above the crest of the thread, mm: less is a burr or the diameter before
 /// finishing.
-const SHOULDER: f64 = 0.5;
+const MIN_SHOULDER: f64 = 0.5;
 
 /// Number of steps in which the path beyond the end is checked.
 const STEPS: u32 = 20;
@@ -20,17 +20,28 @@ const STEPS: u32 = 20;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShortRunOut {
     /// Distance from its end to the shoulder.
-    pub have: f64,
+    pub available: f64,
     /// Distance in which the slide stops.
-    pub need: f64,
+    pub required: f64,
 }
 
-/// The current thread: its tool, and Z of its end.
+/// Finds the first pass of each thread.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct RunOuts(Option<((u16, u16), f64)>);
+pub struct RunOuts(Option<CurrentThread>);
+
+/// The current thread.
+#[derive(Clone, Copy, Debug)]
+struct CurrentThread {
+    /// Turret station and offset number.
+    tool: (u16, u16),
+    /// Z of its end, mm.
+    end: f64,
+}
 
 impl RunOuts {
     /// Adds a cut along a thread. Returns its run-out if that is too short and this is the first pass.
+    /// Tapered threads, threads of less than a lead, and threads under constant surface speed are not
+    /// checked.
     pub fn pass<'a>(&mut self, motion: &Motion, work: impl FnOnce() -> &'a Region) -> Option<ShortRunOut> {
         let (from, to) = (motion.from, motion.to);
         let lead = motion.lead?.abs();
@@ -39,20 +50,22 @@ impl RunOuts {
         if !is_cylinder {
             return None;
         }
-        let before = self.0.replace((motion.process.tool, to.z));
-        if before.is_some_and(|(tool, end)| tool == motion.process.tool && (end - to.z).abs() < lead) {
+        let tool = motion.process.tool;
+        let before = self.0.replace(CurrentThread { tool, end: to.z });
+        // A pass of the same thread has the same tool, and ends within a lead.
+        if before.is_some_and(|thread| thread.tool == tool && (thread.end - to.z).abs() < lead) {
             return None;
         }
         let work = work();
         let (crest, side) = crest(work, motion, lead)?;
-        let need = run_out(speed, lead);
+        let required = run_out(speed, lead);
         let is_wall = |way: f64| {
             let z = to.z + (to.z - from.z).signum() * way;
-            work.contains(Point::new(crest + side * SHOULDER, z))
+            work.contains(Point::new(crest + side * MIN_SHOULDER, z))
         };
-        let at = |step: u32| need * f64::from(step) / f64::from(STEPS);
+        let at = |step: u32| required * f64::from(step) / f64::from(STEPS);
         let wall = (0..STEPS).find(|&step| is_wall(at(step + 1)))?;
         // A tool that ends its pass inside the shoulder leaves it at rapid, which is reported as a collision.
-        (!is_wall(-at(1))).then(|| ShortRunOut { have: at(wall), need })
+        (!is_wall(-at(1))).then(|| ShortRunOut { available: at(wall), required })
     }
 }

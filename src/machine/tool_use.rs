@@ -214,7 +214,7 @@ impl ToolUse {
                 Some(at) => at,
                 None if seen.len() == MAX_USES => continue,
                 None => {
-                    let negative = evidence.is_on_negative_side(index);
+                    let negative = evidence.is_on_negative_x(index);
                     seen.push(ToolUse { negative, ..ToolUse::new(station, purpose, index) });
                     seen.len() - 1
                 }

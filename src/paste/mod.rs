@@ -19,7 +19,7 @@ mod signs;
 
 pub use reason::Reason;
 
-use crate::limits::{FOUND_PROGRAMS, PASTED_TEXT};
+use crate::limits::{MAX_FOUND_PROGRAMS, MAX_PASTED_TEXT};
 use crate::source::Span;
 
 /// The programs found in a text.
@@ -132,16 +132,16 @@ impl Program {
 /// assert_eq!(found.programs[0].text(), "O0001;\nG00 X32 Z2;\nG01 Z-30 F0.1;\nM30;\n");
 /// ```
 pub fn find(text: &str) -> Found {
-    if text.len() > PASTED_TEXT {
+    if text.len() > MAX_PASTED_TEXT {
         return Found { too_long: true, ..Found::default() };
     }
     let items = items::read(text);
     let mut blocks = blocks::assemble(text, &items);
     let stretches = programs::join(&items, &mut blocks);
-    let more = stretches.len().saturating_sub(FOUND_PROGRAMS);
+    let more = stretches.len().saturating_sub(MAX_FOUND_PROGRAMS);
     let mut programs = Vec::new();
     let mut line = LineCount::default();
-    for stretch in stretches.iter().take(FOUND_PROGRAMS) {
+    for stretch in stretches.iter().take(MAX_FOUND_PROGRAMS) {
         let mut pieces = pieces::write(text, &items, &blocks, stretch);
         signs::ask(text, &items, &blocks, stretch, &mut pieces);
         let span = pieces.first().zip(pieces.last()).map_or_else(Span::default, |(a, z)| a.span.to(z.span));

@@ -2,18 +2,19 @@
 //!
 //! In: the motions and the machine. Out: a [`Clock`], which returns the position of the tool for a time of
 //! the animation, and the machine time up to a position. If the time of a motion is unknown, the animation
-//! uses a default rate, which is never reported as a time. Must not know what is drawn.
+//! uses a default rate; it never counts as known time. For rapids the time at the assumed rate is reported
+//! separately. Must not know what is drawn.
 
 use super::timing::{self, Total};
 use crate::motion::{Motion, MotionKind, Motions};
 use crate::setup::Machine;
 
 /// Maximum duration of a rapid in the animation, seconds, because little happens during it.
-const LONGEST_RAPID: f64 = 0.3;
+const MAX_RAPID_SECONDS: f64 = 0.3;
 /// Default rate of cuts with an unknown feed or spindle speed, mm/min.
-const CUT: f64 = 250.0;
+const DEFAULT_CUTTING_RATE: f64 = 250.0;
 /// Default rate of the C axis, degrees per second.
-const TURN: f64 = 120.0;
+const DEFAULT_C_RATE: f64 = 120.0;
 /// Number of motions between two cached readings.
 const STRIDE: usize = 64;
 
@@ -50,22 +51,22 @@ pub struct Reading {
 pub struct Clock {
     machine: Machine,
     /// Cached readings: before every [`STRIDE`]th motion, and at the end.
-    kept: Vec<Reading>,
+    cached: Vec<Reading>,
     motions: usize,
 }
 
 impl Clock {
     /// Creates the clock of all motions.
     pub fn new(motions: &Motions, machine: &Machine) -> Self {
-        let mut clock = Self { machine: *machine, kept: Vec::new(), motions: motions.len() };
+        let mut clock = Self { machine: *machine, cached: Vec::new(), motions: motions.len() };
         let mut reading = Reading::default();
         for (index, motion) in motions.iter().enumerate() {
             if index % STRIDE == 0 {
-                clock.kept.push(reading);
+                clock.cached.push(reading);
             }
             reading.add(&motion, machine);
         }
-        clock.kept.push(reading);
+        clock.cached.push(reading);
         clock
     }
 
@@ -75,21 +76,21 @@ impl Clock {
     }
 
     /// The reading at the end of the program.
-    pub fn whole(&self) -> Reading {
-        self.kept.last().copied().unwrap_or_default()
+    pub fn total(&self) -> Reading {
+        self.cached.last().copied().unwrap_or_default()
     }
 
-    /// The reading at a position.
+    /// The reading at a position. `motions`: those of [`Clock::new`].
     pub fn at(&self, motions: &Motions, playhead: Playhead) -> Reading {
         let Playhead { motion, share } = playhead;
-        let mut reading = self.before(motions, motion);
         if share >= 1.0 {
             return self.before(motions, motion + 1);
         }
+        let mut reading = self.before(motions, motion);
         if share > 0.0 && motion < self.motions {
             let motion = motions.get(motion);
             reading.animation_seconds += share * animation_seconds(&motion, &self.machine);
-            // A partial motion of unknown time counts as unknown only when it is finished.
+            // The counts of motions with unknown time include a motion only when it is finished.
             let part = motion.first_part(share);
             match timing::seconds(&part, &self.machine) {
                 Some(seconds) => reading.time.known += seconds,
@@ -102,16 +103,18 @@ impl Clock {
         reading
     }
 
-    /// The position at a time of the animation, in seconds; between two motions, the end of the first.
-    pub fn place(&self, motions: &Motions, animation_seconds: f64) -> Playhead {
-        if animation_seconds >= self.whole().animation_seconds {
+    /// The position at a time of the animation, in seconds; between two motions, the end of the first. For a
+    /// program without motions, the end of motion 0, which does not exist. `motions`: those of
+    /// [`Clock::new`].
+    pub fn playhead_at(&self, motions: &Motions, animation_seconds: f64) -> Playhead {
+        if animation_seconds >= self.total().animation_seconds {
             return Playhead::end_of(self.motions.saturating_sub(1));
         }
         if animation_seconds <= 0.0 || animation_seconds.is_nan() {
             return Playhead::START;
         }
-        let index = self.kept.partition_point(|reading| reading.animation_seconds < animation_seconds) - 1;
-        let mut reading = self.kept[index];
+        let index = self.cached.partition_point(|reading| reading.animation_seconds < animation_seconds) - 1;
+        let mut reading = self.cached[index];
         for motion in index * STRIDE..self.motions {
             let before = reading.animation_seconds;
             reading.add(&motions.get(motion), &self.machine);
@@ -128,10 +131,10 @@ impl Clock {
     /// The reading before a motion; the total after the last motion.
     fn before(&self, motions: &Motions, motion: usize) -> Reading {
         if motion >= self.motions {
-            return self.whole();
+            return self.total();
         }
         let index = motion / STRIDE;
-        let mut reading = self.kept[index];
+        let mut reading = self.cached[index];
         for motion in index * STRIDE..motion {
             reading.add(&motions.get(motion), &self.machine);
         }
@@ -149,13 +152,13 @@ impl Reading {
 /// Duration of a motion in the animation, seconds: its time, or a default.
 fn animation_seconds(motion: &Motion, machine: &Machine) -> f64 {
     if let Some(seconds) = timing::seconds(motion, machine) {
-        return if motion.kind == MotionKind::Rapid { seconds.min(LONGEST_RAPID) } else { seconds };
+        return if motion.kind == MotionKind::Rapid { seconds.min(MAX_RAPID_SECONDS) } else { seconds };
     }
-    let turned = motion.rotary.map_or(0.0, |rotary| (rotary.to - rotary.from).abs() / TURN);
+    let turned = motion.rotary.map_or(0.0, |rotary| (rotary.to - rotary.from).abs() / DEFAULT_C_RATE);
     let length = motion.length();
     match motion.kind {
-        MotionKind::Rapid => (60.0 * length / timing::ASSUMED_RAPID).max(turned).min(LONGEST_RAPID),
-        _ => (60.0 * length / CUT).max(turned),
+        MotionKind::Rapid => (60.0 * length / timing::ASSUMED_RAPID).max(turned).min(MAX_RAPID_SECONDS),
+        _ => (60.0 * length / DEFAULT_CUTTING_RATE).max(turned),
     }
 }
 
@@ -173,34 +176,34 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn a_motion_of_known_time_takes_it_and_others_a_usual_pace() {
+    fn known_times_are_kept_and_others_get_a_default_rate() {
         // 80 mm of rapid; 20 mm at 60 mm/min; a dwell of 2 s.
         let (motions, clock) = run("G98 G0 X100 Z0\nG0 Z80\nM3 S500\nG1 Z60 F60\nG4 X2\nM30\n");
         let count = motions.len();
         let feed = clock.at(&motions, Playhead::end_of(count - 2)).animation_seconds
             - clock.at(&motions, Playhead::end_of(count - 3)).animation_seconds;
         assert!((feed - 20.0).abs() < 1e-9);
-        let whole = clock.whole();
+        let whole = clock.total();
         assert!((whole.time.known - 22.0).abs() < 1e-9, "{whole:?}");
         assert!(whole.time.unknown_rapids > 0 && whole.animation_seconds > 22.0);
     }
 
     #[test]
-    fn the_air_is_crossed_quickly() {
+    fn rapids_are_short_in_the_animation() {
         // 12 s of cutting; the two rapids of 200 mm each take little time in the animation.
         let (motions, clock) = run("G98 M3 S500\nG0 X200 Z200\nG0 X50 Z2\nG1 Z-10 F60\nG0 X200 Z200\nM30\n");
         let cut = motions.iter().position(|motion| motion.kind == MotionKind::Feed).expect("a cut");
         let before = clock.at(&motions, Playhead::end_of(cut - 1)).animation_seconds;
-        let whole = clock.whole().animation_seconds;
+        let whole = clock.total().animation_seconds;
         assert!(before < 0.7 && whole - 12.0 < 1.0, "{before} {whole}");
     }
 
     #[test]
-    fn whatever_number_is_asked_for_there_is_a_place() {
+    fn playhead_at_accepts_any_number() {
         for text in ["", "M30\n", "G0 X50 Z2\nG1 Z-20 F0.2\nG4 X1\nM30\n"] {
             let (motions, clock) = run(text);
             for seconds in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 1e300, 5e-324] {
-                let place = clock.place(&motions, seconds);
+                let place = clock.playhead_at(&motions, seconds);
                 assert!((0.0..=1.0).contains(&place.share), "{text:?} {seconds}: {place:?}");
                 assert!(place.motion <= motions.len(), "{text:?} {seconds}: {place:?}");
             }
@@ -215,13 +218,13 @@ pub(super) mod tests {
         for motion in 0..motions.len() {
             for share in [0.25, 1.0] {
                 let place = Playhead { motion, share };
-                let found = clock.place(&motions, clock.at(&motions, place).animation_seconds);
+                let found = clock.playhead_at(&motions, clock.at(&motions, place).animation_seconds);
                 assert!(found.motion == motion && (found.share - share).abs() < 1e-6, "{place:?} {found:?}");
             }
             let end = Playhead::end_of(motion);
-            assert_eq!(clock.place(&motions, clock.at(&motions, end).animation_seconds), end);
+            assert_eq!(clock.playhead_at(&motions, clock.at(&motions, end).animation_seconds), end);
         }
-        assert_eq!(clock.place(&motions, -1.0), Playhead::START);
-        assert_eq!(clock.place(&motions, f64::INFINITY), Playhead::end_of(motions.len() - 1));
+        assert_eq!(clock.playhead_at(&motions, -1.0), Playhead::START);
+        assert_eq!(clock.playhead_at(&motions, f64::INFINITY), Playhead::end_of(motions.len() - 1));
     }
 }

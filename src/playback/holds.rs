@@ -53,7 +53,7 @@ pub fn play(
     seconds: f64,
     holds: PauseRules,
 ) -> (Playhead, Option<PauseReason>) {
-    let to = clock.place(motions, clock.at(motions, from).animation_seconds + seconds.max(0.0));
+    let to = clock.playhead_at(motions, clock.at(motions, from).animation_seconds + seconds.max(0.0));
     // Motions of zero time are skipped, but the position must not move back.
     let to = if to.motion < from.motion { from } else { to };
     // Resuming has already passed a pause at the current position.

@@ -180,7 +180,7 @@ fn quick_check_until(text: &[u8], end: usize) -> QuickCheck {
             unit.take(&statement);
         }
     }
-    QuickCheck { may_be_inches: unit.is_open(), ..seen }
+    QuickCheck { may_be_inches: unit.may_be_inches(), ..seen }
 }
 
 early! {

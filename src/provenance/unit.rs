@@ -1,14 +1,15 @@
-//! Infers the unit of a program without G20 or G21: inches, if its numbers show it.
+//! Infers the unit of a program without G20 or G21: inches, if its numbers indicate them.
 //!
 //! In: statements. Out: the word that is the best evidence for inches, if any. A lathe starts in the unit of
 //! its power-on parameter, so inch programs often omit G20. Small parts in millimetres have small numbers,
-//! too: the size of the numbers only permits inches, and at least two signs must show them.
+//! too: the size of the numbers only permits inches. The indications are weighted, and their total must reach
+//! [`MIN_WEIGHT`].
 
 use super::statement::Statement;
 use crate::source::Span;
 
-/// Largest X of a program that may be in inches, inches; the same for Z.
-const MAX_INCHES: [f64; 2] = [10.0, 20.0];
+/// X from which a program is not in inches; the same for Z.
+const TOO_LARGE_FOR_INCHES: [f64; 2] = [10.0, 20.0];
 
 /// Fastest feed of a cut, inches per revolution: 0.75 mm.
 const MAX_FEED: f64 = 0.03;
@@ -16,27 +17,28 @@ const MAX_FEED: f64 = 0.03;
 /// Coarsest lead of a thread, inches.
 const MAX_LEAD: f64 = 0.5;
 
-/// Least cutting speed that shows feet per minute on workpieces of less than [`LARGEST_TURNED`]: 60 m/min in
-/// feet.
-const FEET: f64 = 200.0;
+/// From this S under G96, a cutting speed is in feet per minute if the workpiece is smaller than
+/// [`SMALL_DIAMETER`]: 60 m/min in feet.
+const MIN_SPEED_IN_FEET: f64 = 200.0;
 
-/// A workpiece of this diameter at [`FEET`] metres per minute would turn at 16,000 rpm.
-const LARGEST_TURNED: f64 = 4.0;
+/// Diameter as written below which [`MIN_SPEED_IN_FEET`] cannot be m/min: if 4 were millimetres, the
+/// workpiece would turn at 16,000 rpm.
+const SMALL_DIAMETER: f64 = 4.0;
 
-/// A cutting speed that no insert bears in metres per minute.
+/// From this S under G96, a cutting speed is too high for any insert in metres per minute.
 const MAX_CUTTING_SPEED: f64 = 600.0;
 
 /// A cutting speed this many times higher than the speed limit of the spindle allows is not in metres per
 /// minute.
 const BEYOND_LIMIT: f64 = 5.0;
 
-/// A finer lead is not in millimetres.
+/// Minimum lead in millimetres; a smaller one is in inches.
 const MIN_LEAD: f64 = 0.2;
 
-/// Least number of coordinates with three decimals, the last of which is 0, that show inches: `Z1.000`.
-const WRITTEN_OUT: u32 = 3;
+/// Minimum number of coordinates with three decimals, the last of which is 0, that indicate inches: `Z1.000`.
+const MIN_PADDED: u32 = 3;
 
-/// Least weight of the signs.
+/// Minimum total weight of the indications.
 const MIN_WEIGHT: usize = 3;
 
 /// Whether a program may be in inches: no code gives a unit, and no coordinate is too large.
@@ -45,7 +47,7 @@ pub struct UnitHint {
     /// Whether a unit is given, or a number is too large for inches.
     excluded: bool,
     /// Whether a coordinate has a point.
-    pointed: bool,
+    has_point: bool,
 }
 
 impl UnitHint {
@@ -57,6 +59,7 @@ impl UnitHint {
         let mut no_places = false;
         for (code, _) in statement.codes(b'G') {
             match code {
+                // Codes are in tenths: 200 is G20.
                 200 | 210 => self.excluded = true,
                 // System C, unless they call a cycle.
                 700 | 710 if !statement.has_any(b"PQUX") => self.excluded = true,
@@ -65,7 +68,7 @@ impl UnitHint {
                 _ => {}
             }
         }
-        let [x, z] = MAX_INCHES;
+        let [x, z] = TOO_LARGE_FOR_INCHES;
         for word in statement.words().iter().filter(|word| !word.assigned && !no_places) {
             let Some(number) = word.number else { continue };
             let most = match word.letter {
@@ -75,18 +78,18 @@ impl UnitHint {
             };
             let value = number.value();
             if number.has_point() {
-                self.pointed = true;
+                self.has_point = true;
                 self.excluded |= value >= most;
             } else if matches!(word.letter, b'X' | b'Z') {
-                // Without a point 10 mm, or a thousandth of an inch.
+                // `X10` without a point is 10 mm, or 0.001 inch, which nobody programs.
                 self.excluded |= (x..100.0).contains(&value);
             }
         }
     }
 
     /// Whether the program may be in inches.
-    pub fn is_open(&self) -> bool {
-        self.pointed && !self.excluded
+    pub fn may_be_inches(&self) -> bool {
+        self.has_point && !self.excluded
     }
 }
 
@@ -107,15 +110,16 @@ pub struct UnitEvidence {
     fine: Option<Span>,
     /// A lead that is too fine for millimetres.
     lead: Option<Span>,
-    /// The highest cutting speed of 200 or more.
+    /// The highest cutting speed from [`MIN_SPEED_IN_FEET`].
     feet: Option<(f64, Span)>,
     /// The highest speed limit of G50 or G92, rpm.
     limit: f64,
-    /// Number of coordinates with a point, and of those among them whose third decimal is a zero at the end:
-    /// `Z1.000`, `Z-.050`.
-    pointed: [u32; 2],
-    /// The first one with such a zero.
-    written_out: Option<Span>,
+    /// Number of coordinates with a point.
+    with_point: u32,
+    /// Number of those whose third and last decimal is a zero: `Z1.000`, `Z-.050`.
+    padded: u32,
+    /// The first of these.
+    first_padded: Option<Span>,
     /// Whether a coordinate or feed below 1 has a zero before its point, as numbers in millimetres do.
     leading_zero: bool,
 }
@@ -157,10 +161,10 @@ impl UnitEvidence {
                         self.largest = self.largest.max(value);
                     }
                     self.fine = self.fine.or(is_fine.then_some(word.span));
-                    let is_out = decimals == 3 && written.ends_with(b"0");
-                    self.written_out = self.written_out.or(is_out.then_some(word.span));
-                    self.pointed[0] += 1;
-                    self.pointed[1] += u32::from(is_out);
+                    let is_padded = decimals == 3 && written.ends_with(b"0");
+                    self.first_padded = self.first_padded.or(is_padded.then_some(word.span));
+                    self.with_point += 1;
+                    self.padded += u32::from(is_padded);
                 }
                 b'F' | b'E' if threads => {
                     let is_too_fine = number.has_point() && value > 0.0 && value < MIN_LEAD;
@@ -172,7 +176,7 @@ impl UnitEvidence {
                     self.has_feed = true;
                     self.hint.excluded |= value > MAX_FEED;
                 }
-                b'S' if speeds && value >= self.feet.map_or(FEET, |feet| feet.0) => {
+                b'S' if speeds && value >= self.feet.map_or(MIN_SPEED_IN_FEET, |feet| feet.0) => {
                     self.feet = Some((value, word.span));
                 }
                 b'S' if limits => self.limit = self.limit.max(value),
@@ -181,30 +185,31 @@ impl UnitEvidence {
         }
     }
 
-    /// The word or remark that proves inches.
+    /// The word or remark that is the best evidence for inches; `None` if the evidence is too weak.
     pub fn inches(&self) -> Option<Span> {
         // The highest cutting speed in metres per minute for a workpiece of this size at the speed limit.
         let reached = std::f64::consts::PI * self.largest * self.limit / 1000.0;
-        let of_feet = |(speed, _): (f64, Span)| match speed >= MAX_CUTTING_SPEED
-            || speed > BEYOND_LIMIT * reached && self.limit > 0.0
-        {
-            true => 2,
-            false => usize::from(self.largest < LARGEST_TURNED),
+        let weight_of_speed = |(speed, _): (f64, Span)| {
+            let is_beyond_limit = self.limit > 0.0 && speed > BEYOND_LIMIT * reached;
+            if speed >= MAX_CUTTING_SPEED || is_beyond_limit {
+                2
+            } else {
+                usize::from(self.largest < SMALL_DIAMETER)
+            }
         };
-        let feet = self.feet.filter(|&feet| of_feet(feet) > 0);
+        let feet = self.feet.filter(|&feet| weight_of_speed(feet) > 0);
         // A CAM system that writes three decimals in millimetres also writes the zero before the point.
-        let [pointed, out] = self.pointed;
-        let is_written_out = out >= WRITTEN_OUT && 2 * out > pointed && !self.leading_zero;
-        let written_out = self.written_out.filter(|_| is_written_out);
+        let is_padded = self.padded >= MIN_PADDED && 2 * self.padded > self.with_point && !self.leading_zero;
+        let padded = self.first_padded.filter(|_| is_padded);
         let weight = 2 * usize::from(self.remark.is_some())
             + 2 * usize::from(self.fine.is_some())
             + 3 * usize::from(self.lead.is_some())
-            + feet.map_or(0, of_feet)
-            + 2 * usize::from(is_written_out)
+            + feet.map_or(0, weight_of_speed)
+            + 2 * usize::from(is_padded)
             + usize::from(self.has_feed);
-        let found = self.fine.or(self.lead).or(self.remark).or(feet.map(|feet| feet.1)).or(written_out)?;
+        let found = self.fine.or(self.lead).or(self.remark).or(feet.map(|feet| feet.1)).or(padded)?;
         let cuts = self.has_feed || self.lead.is_some();
-        (self.hint.is_open() && cuts && weight >= MIN_WEIGHT).then_some(found)
+        (self.hint.may_be_inches() && cuts && weight >= MIN_WEIGHT).then_some(found)
     }
 }
 

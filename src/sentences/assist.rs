@@ -5,7 +5,7 @@
 use super::labels;
 use super::language::Language;
 use super::template::fill;
-use crate::assist::complete::{What, Why};
+use crate::assist::complete::{ProposalKind, ValueSource};
 use crate::assist::explain::{Action, Explanation};
 use crate::assist::fact::{Fact, NoMotion, Quantity};
 use crate::assist::place::Place;
@@ -294,25 +294,27 @@ impl Speaker<'_> {
     }
 
     /// Describes a proposal, and the source of its value.
-    pub fn proposed(&self, what: &What) -> String {
+    pub fn proposed(&self, kind: &ProposalKind) -> String {
         let function =
             |code: G| codes::g_code_of(code).map_or("", |found| found.function().describe(self.language));
         let named =
             |told: Told, code: G| self.filled(told, &vec![("what", Value::Text(function(code).into()))]);
         let alone = |told: Told| self.filled(told, &Vec::new());
-        match *what {
-            What::Code(function, role) => {
+        match *kind {
+            ProposalKind::Code(function, role) => {
                 role.map_or(function.describe(self.language), |role| role.words(self.language)).to_owned()
             }
-            What::Word(role, None) => role.words(self.language).to_owned(),
-            What::Word(role, Some(why)) => self.named(role.words(self.language), &alone(why_told(why))),
-            What::Sequence(at) | What::Program(at) => {
+            ProposalKind::Word(role, None) => role.words(self.language).to_owned(),
+            ProposalKind::Word(role, Some(why)) => {
+                self.named(role.words(self.language), &alone(why_told(why)))
+            }
+            ProposalKind::Sequence(at) | ProposalKind::Program(at) => {
                 let line = Value::count((self.line_of)(at) as usize);
                 self.filled(Told::CompleteLine, &vec![("line", line)])
             }
-            What::NextSequence => alone(Told::CompleteNext),
-            What::Variable(value) => format!("= {}", number(value)),
-            What::Snippet(snippet) => match snippet {
+            ProposalKind::NextSequence => alone(Told::CompleteNext),
+            ProposalKind::Variable(value) => format!("= {}", number(value)),
+            ProposalKind::Snippet(snippet) => match snippet {
                 Snippet::Head => alone(Told::SnippetHead),
                 Snippet::End => alone(Told::SnippetEnd),
                 Snippet::Subprogram => alone(Told::SnippetSubprogram),
@@ -481,16 +483,16 @@ pub fn block_of(fact: &Fact) -> Option<u32> {
     }
 }
 
-fn why_told(why: Why) -> Told {
+fn why_told(why: ValueSource) -> Told {
     match why {
-        Why::Face => Told::WhyFace,
-        Why::Back => Told::WhyBack,
-        Why::Outside => Told::WhyOutside,
-        Why::Bore => Told::WhyBore,
-        Why::Axis => Told::WhyAxis,
-        Why::BlockPosition => Told::WhyHere,
-        Why::Used => Told::WhyUsed,
-        Why::InSetup => Told::WhyInSetup,
+        ValueSource::Face => Told::WhyFace,
+        ValueSource::Back => Told::WhyBack,
+        ValueSource::Outside => Told::WhyOutside,
+        ValueSource::Bore => Told::WhyBore,
+        ValueSource::Axis => Told::WhyAxis,
+        ValueSource::ToolPosition => Told::WhyHere,
+        ValueSource::Used => Told::WhyUsed,
+        ValueSource::InSetup => Told::WhyInSetup,
     }
 }
 

@@ -31,7 +31,7 @@ use super::misread::{self, Misread};
 use super::plain_line::PlainLine;
 use super::plain_words::{PlainWords, begins_as_sentence, begins_in_other_script};
 use super::program_name;
-use crate::limits::DIGITS;
+use crate::limits::MAX_DIGITS;
 use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said, sort_by_place};
 use crate::order;
 use crate::parts::{Part, early};
@@ -627,7 +627,7 @@ impl<'a> Parser<'a> {
                 block.second_name = Some((number, span));
             }
             _ if block.words.iter().any(calls_program) && has_no_letter => {
-                let number = Number { mantissa: u64::from(number), digits: DIGITS, ..Number::default() };
+                let number = Number { mantissa: u64::from(number), digits: MAX_DIGITS, ..Number::default() };
                 block.word(Word {
                     address: b'P',
                     comma: false,
@@ -667,7 +667,7 @@ impl<'a> Parser<'a> {
             block.fault(Diagnostic::new(message, span));
             return;
         }
-        if number.digits > DIGITS {
+        if number.digits > MAX_DIGITS {
             let quote = short_quote(self.lexer.text(), span);
             block.fault(Diagnostic::new(said::TooManyDigits { word: quote }, span));
             return;
@@ -740,7 +740,7 @@ impl<'a> Parser<'a> {
             && block.program.is_none();
         // Four digits, such as `0101`, may also be a tool.
         let may_be_program =
-            |text: &[u8]| text.len() >= 5 && text[0] == b'0' && Number::read(&text[1..]).digits <= DIGITS;
+            |text: &[u8]| text.len() >= 5 && text[0] == b'0' && Number::read(&text[1..]).digits <= MAX_DIGITS;
         if at_head && number.points == 0 && number.mantissa > 0 && may_be_program(text) {
             let first = Span { start: span.start, end: span.start + 1 };
             let message = said::ZeroForO { number: span.quote(self.lexer.text()) };
@@ -783,7 +783,7 @@ impl<'a> Parser<'a> {
         let number = number.trim_start_matches(|sign: char| sign != '.' && !sign.is_ascii_digit());
         let number = Number::read(without_blanks(number).as_bytes());
         let diagnostic = Diagnostic::new(said::CommaForPoint { word: written.clone() }, span);
-        if number.points > 1 || number.digits > DIGITS || goes_on {
+        if number.points > 1 || number.digits > MAX_DIGITS || goes_on {
             return block.fault(diagnostic);
         }
         let point = Fix::replace(Repair::DecimalPoint, comma, ".");
@@ -883,7 +883,7 @@ impl<'a> Parser<'a> {
         let digits = value.trim_start_matches(['-', '+']);
         let negative = value.starts_with('-');
         let number = Number::read(digits.as_bytes());
-        if number.points <= 1 && number.digits <= DIGITS {
+        if number.points <= 1 && number.digits <= MAX_DIGITS {
             self.store(block, address, false, negative, number, span);
         } else if misread.letter.is_none() {
             // Full-width characters are a warning; a word that is too long is the same error as in ASCII.

@@ -137,12 +137,12 @@ impl Playground {
 
 late! {
     fn animation_seconds(current: &Current) -> f64 {
-        current.clock().whole().animation_seconds
+        current.clock().total().animation_seconds
     }
 
     fn seek(current: &mut Current, share: f64) {
         let clock = current.clock();
-        let place = clock.place(current.motions(), share * clock.whole().animation_seconds);
+        let place = clock.playhead_at(current.motions(), share * clock.total().animation_seconds);
         current.seek(Some(place));
         current.keep_tool_in_view();
     }

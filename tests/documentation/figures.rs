@@ -310,7 +310,7 @@ fn sixty_lines() {
 }
 
 fn digits() {
-    assert_eq!(limits::DIGITS, 8);
+    assert_eq!(limits::MAX_DIGITS, 8);
     assert!(!analyze_codes("G0 X12345.678\nM30").contains(&"PS0003"));
     assert!(analyze_codes("G0 X123456.789\nM30").contains(&"PS0003"));
 }

@@ -1,5 +1,5 @@
-//! Compares the part of every turning program of the gallery with intervals of radius, calculated motion by
-//! motion.
+//! Compares the part of every turning program of the gallery with radius intervals that this test calculates
+//! independently, motion by motion.
 
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
@@ -17,9 +17,11 @@ const TOLERANCE: f64 = 0.005;
 /// Largest distance between chords and arcs, of the path and of the nose together, mm.
 const CHORDS: f64 = 0.004;
 
-const STATIONS: u32 = 20;
+/// Number of values of Z at which a part is compared.
+const SECTIONS: u32 = 20;
 
 /// The turning programs of the gallery, without tapping: the outline of a tap is not modelled here.
+/// The programs `s002-…` do not turn: they mill, or only set speeds.
 fn gallery() -> Vec<Program> {
     let list = crate::fixtures::gallery();
     all()
@@ -29,7 +31,7 @@ fn gallery() -> Vec<Program> {
         .collect()
 }
 
-/// The inferred tool, with its outline from the table of a tool maker.
+/// The reach of a resolved tool; the angles of inserts are those of a tool maker's table.
 fn as_resolved(tool: &Tool, basis: Basis, pitch: f64) -> Reach {
     let up = if tool.side == Some(Side::Inside) { -1.0 } else { 1.0 };
     match tool.kind.expect("a kind") {
@@ -64,7 +66,8 @@ fn intervals(motions: &[(Motion, Reach)], stock: &Stock, z: f64) -> Vec<Interval
     let mut before: Option<(Motion, &Reach)> = None;
     let mut taken = Vec::new();
     for (motion, reach) in motions {
-        // Where a thread ends between two turns, its insert stays for one turn before it retracts.
+        // At the end of a thread after a fraction of a turn, the insert stays for one more turn (see
+        // `Reach::groove`).
         let ended = before.filter(|_| motion.kind != MotionKind::Thread);
         if let Some((thread, insert)) = ended.filter(|(_, insert)| insert.threads) {
             taken.extend(insert.groove(&thread, turned, z));
@@ -72,7 +75,7 @@ fn intervals(motions: &[(Motion, Reach)], stock: &Stock, z: f64) -> Vec<Interval
         // A thread that follows another one continues with the same spindle revolution.
         let goes_on = before.is_some_and(|before| before.0.kind == MotionKind::Thread);
         let lead = motion.lead.filter(|_| motion.kind == MotionKind::Thread);
-        // Another start of a thread begins a part of a turn later.
+        // The other starts of a multi-start thread begin a fraction of a turn later.
         let start = motion.start_angle / 360.0;
         turned = if goes_on && lead.is_some() { turned } else { start };
         taken.extend(reach.taken(motion, turned, z));
@@ -82,7 +85,7 @@ fn intervals(motions: &[(Motion, Reach)], stock: &Stock, z: f64) -> Vec<Interval
     without_dust(&left(stock, &taken, z))
 }
 
-/// Compares 20 stations. Returns the number of stations with material.
+/// Compares the part at [`SECTIONS`] values of Z. Returns the number of those with material.
 pub fn compare(
     id: &str,
     motions: &Motions,
@@ -95,17 +98,21 @@ pub fn compare(
     let all: Vec<_> =
         motions.iter().map(|motion| (motion, reach(simulation.resolved_setup(), &motion))).collect();
     let total = |rest: &[Interval]| rest.iter().map(|(low, high)| high - low).sum::<f64>();
-    let mut full = 0;
-    for station in 0..STATIONS {
-        let mut z = stock.face - stock.length * (f64::from(station) + 0.437) / f64::from(STATIONS);
-        // A step makes the result ambiguous: try a little further.
-        let stands = |z: f64| {
+    let mut with_material = 0;
+    for section in 0..SECTIONS {
+        // An odd fraction, so that few sections meet a shoulder.
+        let mut z = stock.face - stock.length * (f64::from(section) + 0.437) / f64::from(SECTIONS);
+        // Near a step the result is ambiguous; then a section further on is used.
+        let is_unambiguous = |z: f64| {
             let near = [z - 0.02, z, z + 0.02].map(|z| intervals(&all, stock, z));
             near.iter().all(|rest| rest.len() == near[1].len() && (total(rest) - total(&near[1])).abs() < 0.5)
         };
         let places = (0..20).map(|index| z - 0.05 * f64::from(index));
-        z = places.into_iter().find(|&z| stands(z)).unwrap_or_else(|| panic!("{id}: steps only at Z{z}"));
-        // On a steep slope a normal deviation is a larger one in radius.
+        z = places
+            .into_iter()
+            .find(|&z| is_unambiguous(z))
+            .unwrap_or_else(|| panic!("{id}: steps only at Z{z}"));
+        // On a steep slope, a deviation perpendicular to the surface is larger in the radius.
         let expected = [z - CHORDS, z, z + CHORDS].map(|z| intervals(&all, stock, z));
         let found = part.radii(z);
         // Intervals thinner than the tolerances of both ends vanish.
@@ -114,14 +121,15 @@ pub fn compare(
         let least = expected.iter().map(|rest| opened(rest));
         let least = least.reduce(|all, next| common(&all, &next)).expect("three places");
         let same = within(&opened(&found), &most) && within(&least, &moved(&found, TOLERANCE));
-        assert!(same, "{id}: Z{z}: {found:.4?}, worked out {:.4?}", expected[1]);
-        full += u32::from(!found.is_empty());
+        assert!(same, "{id}: Z{z}: {found:.4?}, expected {:.4?}", expected[1]);
+        with_material += u32::from(!found.is_empty());
     }
-    full
+    with_material
 }
 
 /// Runs a program with `tool` at each station that it uses; `None` uses the inferred tools. The blank is that
-/// of the program, or the inferred one; tools of the setup are ignored.
+/// of the program, or the inferred one, or a bar ⌀60 × 60 if none can be inferred; tools of the setup are
+/// ignored.
 fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
     let mut setup = Setup::from_json(&program.setup).expect(&program.id);
     setup.tools.clear();
@@ -149,7 +157,7 @@ fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
     }
     let analysis = analyze(program.text.as_bytes(), &setup);
     let pitch = analysis.motions.iter().filter_map(|motion| motion.lead).fold(0.0, f64::max);
-    let full = compare(&program.id, &analysis.motions, &setup, &stock, |resolved, motion| {
+    let with_material = compare(&program.id, &analysis.motions, &setup, &stock, |resolved, motion| {
         let given = given.iter().find(|given| given.0 == motion.process.tool.0);
         let resolved_tool = resolved.tool(motion);
         match given {
@@ -157,25 +165,26 @@ fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
             _ => as_resolved(&resolved_tool.tool, resolved_tool.basis, pitch),
         }
     });
-    assert!(full > 0, "{}: only {full} stations have material", program.id);
+    assert!(with_material > 0, "{}: no section has material", program.id);
 }
 
 #[test]
-fn sharp_tools_as_concluded() {
+fn parts_with_inferred_sharp_tools() {
     let programs = gallery();
+    // So that no program drops out unnoticed; adjust it with the gallery.
     assert_eq!(programs.len(), 39);
     for program in &programs {
         check(program, None);
     }
 }
 
-/// A threading tool for the pitch of the program.
+/// A threading tool. Its reach is only a marker: `check` uses the one for the pitch of the program.
 fn threading() -> (Tool, Reach) {
     (Tool { kind: Some(ToolKind::Threading), ..Tool::default() }, Reach::thread(1.0, 0.0))
 }
 
 #[test]
-fn a_nose_of_0_8() {
+fn parts_with_nose_radius_0_8() {
     for program in gallery() {
         check(
             &program,
@@ -209,7 +218,7 @@ fn a_nose_of_0_8() {
 }
 
 #[test]
-fn a_blade_of_3() {
+fn parts_with_3_mm_blades() {
     for program in gallery() {
         check(
             &program,

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use crate::run::{self, Result, command};
 use crate::tools;
 
-/// The folder with the programs of the Python packages, including `python`.
+/// Installs Python packages into a virtual environment in the cache folder `name`, unless they are there.
+/// Returns the folder of their executables, including `python`.
 pub fn python(name: &str, packages: &[&str]) -> Result<PathBuf> {
     let folder = tools::cache()?.join(name);
     let bin = folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
@@ -17,7 +18,7 @@ pub fn python(name: &str, packages: &[&str]) -> Result<PathBuf> {
     if !is_installed(&stamp, packages) {
         let mut python = command("python3");
         run::quiet(
-            &format!("making a place for {}", packages.join(", ")),
+            &format!("creating a virtual environment for {}", packages.join(", ")),
             python.args(["-m", "venv", "--clear"]).arg(&folder),
         )?;
         let mut pip = command(bin.join("pip"));
@@ -30,7 +31,8 @@ pub fn python(name: &str, packages: &[&str]) -> Result<PathBuf> {
     Ok(bin)
 }
 
-/// The folder whose `node_modules` has these npm packages. Their install scripts are not run.
+/// Installs npm packages into `node_modules` of the cache folder `name`, unless they are there. Returns that
+/// folder. Install scripts are not run.
 pub fn npm(name: &str, packages: &[&str]) -> Result<PathBuf> {
     let folder = tools::cache()?.join(name);
     let stamp = folder.join("installed");
@@ -38,13 +40,13 @@ pub fn npm(name: &str, packages: &[&str]) -> Result<PathBuf> {
         fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
         write(
             &folder.join("package.json"),
-            "{\"name\": \"site\", \"private\": true, \"version\": \"0.0.0\"}\n",
+            "{\"name\": \"packages\", \"private\": true, \"version\": \"0.0.0\"}\n",
         )?;
         let mut npm = run::npm();
         npm.current_dir(&folder)
             .args(["install", "--no-audit", "--no-fund", "--ignore-scripts"])
             .args(packages);
-        run::quiet(&format!("installing {} (once)", packages[0]), &mut npm)?;
+        run::quiet(&format!("installing {} (once)", packages.join(", ")), &mut npm)?;
         write(&stamp, &packages.join(" "))?;
     }
     Ok(folder)

@@ -7,6 +7,8 @@ mod around;
 mod prefix;
 mod values;
 
+use std::ops::Range;
+
 use self::around::Around;
 use self::prefix::{Prefix, begins_with, prefix_at};
 use super::Query;
@@ -27,8 +29,11 @@ use crate::text::program_name;
 /// Maximum number of proposals of one kind.
 const MAX_PROPOSALS: usize = 60;
 
-/// Minimum number of bytes of a typed name: "rou", one Chinese character.
-const LETTERS_OF_NAME: usize = 3;
+/// Minimum length of a typed name, bytes: three letters, or one Chinese character.
+const MIN_NAME_BYTES: usize = 3;
+
+/// The numbers of the variables that are proposed: all below the system variables.
+const PROPOSED_VARIABLES: Range<u32> = 1..1000;
 
 /// Proposals for a place.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +42,8 @@ pub struct Completion {
     pub span: Span,
     /// The proposals, the most likely first.
     pub items: Vec<Item>,
-    /// Snippets to propose if their description contains the typed text: "rough" for G71.
+    /// Snippets to propose if their description contains the typed text: "rough" for G71. The caller
+    /// compares, because descriptions depend on the language. Not truncated.
     pub by_name: Vec<Item>,
 }
 
@@ -47,16 +53,16 @@ pub struct Item {
     /// The text to insert.
     pub pieces: Vec<Piece>,
     /// Kind of the proposal.
-    pub what: What,
+    pub kind: ProposalKind,
 }
 
 /// Kind of a proposal.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum What {
+pub enum ProposalKind {
     /// A code, with its meaning if the table describes several codes in one row.
     Code(Function, Option<Role>),
     /// A word with the source of its value; the letter alone if no value is known.
-    Word(Role, Option<Why>),
+    Word(Role, Option<ValueSource>),
     /// A sequence number, with the byte offset of its block.
     Sequence(u32),
     /// The next unused sequence number.
@@ -71,7 +77,7 @@ pub enum What {
 
 /// Source of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Why {
+pub enum ValueSource {
     /// The front face of the blank.
     Face,
     /// The back of the blank.
@@ -83,7 +89,7 @@ pub enum Why {
     /// The axis of the spindle.
     Axis,
     /// The position of the tool.
-    BlockPosition,
+    ToolPosition,
     /// An earlier value in the program.
     Used,
     /// A tool in the setup.
@@ -98,12 +104,14 @@ impl Query<'_> {
         let line = line_around(self.text, byte as usize);
         let (prefix, span) = prefix_at(self.text, line.start, byte)?;
         let state = self.visit.map_or(end, |visit| &visit.before.state);
-        let own = self.block.span.start <= byte && self.block.span.start >= line.start;
+        let is_same_line = self.block.span.start <= byte && self.block.span.start >= line.start;
         let around = Around::of(self.text, line, self.codes);
-        let proposing = Proposing { asked: self, state, own, span, line, around };
-        // `G71 `: the whole cycle in place of its code.
-        if let (Prefix::Nothing, true, true, Some(code)) = (prefix, is_explicit, own, self.only_code()) {
-            let items = proposing.cycles(&code.quote(self.text).to_ascii_uppercase());
+        let proposer = Proposer { query: self, state, is_same_line, span, line, around };
+        // After `G71 `, propose the whole cycle, which replaces the code.
+        if let (Prefix::Nothing, true, true, Some(code)) =
+            (prefix, is_explicit, is_same_line, self.only_code())
+        {
+            let items = proposer.cycles(&code.quote(self.text).to_ascii_uppercase());
             if !items.is_empty() {
                 let span = Span { start: code.start, end: span.end };
                 return Some(Completion { span, items, by_name: Vec::new() });
@@ -111,18 +119,18 @@ impl Query<'_> {
         }
         let typed = span.quote(self.text).to_ascii_uppercase();
         let mut items = match prefix {
-            Prefix::Word(b'G') => proposing.g_codes(&typed),
-            Prefix::Word(b'M') => proposing.m_codes(),
-            Prefix::Word(b'N') => proposing.next_sequence(),
-            Prefix::Word(b'O') => proposing.snippets(),
-            Prefix::Word(b'T') => proposing.tools(),
-            Prefix::Word(letter) => proposing.word(letter),
-            Prefix::Variable => proposing.variables(),
-            Prefix::Goto => proposing.sequences(""),
-            Prefix::Letters => proposing.snippets(),
-            Prefix::Nothing => proposing.anything(is_explicit),
+            Prefix::Word(b'G') => proposer.g_codes(&typed),
+            Prefix::Word(b'M') => proposer.m_codes(),
+            Prefix::Word(b'N') => proposer.next_sequence(),
+            Prefix::Word(b'O') => proposer.snippets(),
+            Prefix::Word(b'T') => proposer.tools(),
+            Prefix::Word(letter) => proposer.word(letter),
+            Prefix::Variable => proposer.variables(),
+            Prefix::Goto => proposer.sequences(""),
+            Prefix::Letters => proposer.snippets(),
+            Prefix::Nothing => proposer.anything(is_explicit),
         };
-        let is_name = prefix == Prefix::Letters && typed.len() >= LETTERS_OF_NAME;
+        let is_name = prefix == Prefix::Letters && typed.len() >= MIN_NAME_BYTES;
         let by_name = if is_name { items.clone() } else { Vec::new() };
         // A proposal equal to the typed text is useless.
         items.retain(|item| {
@@ -143,12 +151,12 @@ impl Query<'_> {
 }
 
 /// Context for making proposals.
-struct Proposing<'a> {
-    asked: &'a Query<'a>,
+struct Proposer<'a> {
+    query: &'a Query<'a>,
     /// State of the control before the block.
     state: &'a State,
-    /// Whether the block is on the same line.
-    own: bool,
+    /// Whether the block of the query is on the line of the place.
+    is_same_line: bool,
     /// The typed prefix.
     span: Span,
     /// The line of the place.
@@ -157,16 +165,16 @@ struct Proposing<'a> {
     around: Around,
 }
 
-fn fixed(text: impl Into<String>, what: What) -> Item {
-    Item { pieces: vec![Piece::Fixed(text.into())], what }
+fn fixed(text: impl Into<String>, kind: ProposalKind) -> Item {
+    Item { pieces: vec![Piece::Fixed(text.into())], kind }
 }
 
-impl Proposing<'_> {
+impl Proposer<'_> {
     // ---- codes ------------------------------------------------------------------------------------------
 
     /// The G codes of the control, ordered by how likely they are here. After a digit, whole cycles come first.
     fn g_codes(&self, typed: &str) -> Vec<Item> {
-        let list = self.asked.codes;
+        let list = self.query.codes;
         let is_supported = |(_, code): &(String, &GCode)| code.code != G::NotSupported;
         let mut codes: Vec<_> = codes::g_codes(list).filter(is_supported).collect();
         order::by_key(&mut codes, |(_, code)| self.rank_g(code.code));
@@ -174,17 +182,18 @@ impl Proposing<'_> {
             "G" => self.second_block().map(|snippet| self.snippet(snippet)).into_iter().collect(),
             _ => self.cycles(typed),
         };
-        let codes =
-            codes.into_iter().map(|(written, code)| fixed(written, What::Code(code.function(), code.role())));
+        let codes = codes
+            .into_iter()
+            .map(|(written, code)| fixed(written, ProposalKind::Code(code.function(), code.role())));
         cycles.into_iter().chain(codes).collect()
     }
 
-    /// Rank of a code, the most likely first.
+    /// Rank of a code; lower is more likely.
     fn rank_g(&self, code: G) -> usize {
-        let is_cut = self.state.spindle.turn != SpindleTurn::Stopped;
+        let spindle_turns = self.state.spindle.turn != SpindleTurn::Stopped;
         match code {
-            // Speed codes come before the first cut.
-            G::SurfaceSpeed | G::ConstantSpeed | G::Setting if !is_cut => 0,
+            // While the spindle stands still, speed codes are the most likely.
+            G::SurfaceSpeed | G::ConstantSpeed | G::Setting if !spindle_turns => 0,
             G::Motion(MotionMode::Rapid | MotionMode::Line) => 1,
             G::Motion(MotionMode::Arc(_)) => 2,
             G::Multiple(Multiple::Finishing) if self.around.is_roughed => 1,
@@ -200,9 +209,9 @@ impl Proposing<'_> {
 
     /// The M codes, ordered by how likely they are here.
     fn m_codes(&self) -> Vec<Item> {
-        let stands = self.state.spindle.turn == SpindleTurn::Stopped;
+        let is_stopped = self.state.spindle.turn == SpindleTurn::Stopped;
         let rank = |number: u16, code: M| match (number, code) {
-            (_, M::Spindle(turn)) if stands != (turn == SpindleTurn::Stopped) => 0,
+            (_, M::Spindle(turn)) if is_stopped != (turn == SpindleTurn::Stopped) => 0,
             (_, M::Spindle(_)) => 4,
             (_, M::End) => 1,
             (8 | 9, _) => 2,
@@ -211,7 +220,8 @@ impl Proposing<'_> {
         };
         let mut codes: Vec<_> = codes::m_codes().collect();
         order::by_key(&mut codes, |&(number, code, ..)| rank(number, code));
-        let item = |(number, _, function, role)| fixed(format!("M{number:02}"), What::Code(function, role));
+        let item =
+            |(number, _, function, role)| fixed(format!("M{number:02}"), ProposalKind::Code(function, role));
         codes.into_iter().map(item).collect()
     }
 
@@ -222,24 +232,27 @@ impl Proposing<'_> {
             [.., (before, _), (last, _)] if last > before && last - before <= 100 => last - before,
             _ => 10,
         };
-        vec![fixed(format!("N{}", self.around.last_sequence().saturating_add(step)), What::NextSequence)]
+        vec![fixed(
+            format!("N{}", self.around.last_sequence().saturating_add(step)),
+            ProposalKind::NextSequence,
+        )]
     }
 
     /// The sequence numbers of the text; those after the place come first.
     fn sequences(&self, letter: &str) -> Vec<Item> {
         let (before, after): (Vec<_>, Vec<_>) =
             self.around.sequences.iter().copied().partition(|&(_, at)| at <= self.span.start);
-        let item = |(number, at)| fixed(format!("{letter}{number}"), What::Sequence(at));
+        let item = |(number, at)| fixed(format!("{letter}{number}"), ProposalKind::Sequence(at));
         after.into_iter().chain(before).map(item).collect()
     }
 
-    /// The programs of the text without the current one.
+    /// The programs of the text except the current one.
     fn programs(&self) -> Vec<Item> {
         let programs = &self.around.programs;
-        let own = programs.iter().rev().find(|(_, at)| *at <= self.span.start);
+        let current = programs.iter().rev().find(|(_, at)| *at <= self.span.start);
         let others =
-            programs.iter().filter(|program| Some(*program) != own && !program_name::is_name(program.0));
-        others.map(|(number, at)| fixed(format!("P{number}"), What::Program(*at))).collect()
+            programs.iter().filter(|program| Some(*program) != current && !program_name::is_name(program.0));
+        others.map(|(number, at)| fixed(format!("P{number}"), ProposalKind::Program(*at))).collect()
     }
 
     fn variables(&self) -> Vec<Item> {
@@ -247,8 +260,8 @@ impl Proposing<'_> {
             Ok(Found::Value(value)) => value,
             _ => None,
         };
-        let items = (1..1000).filter_map(|number| {
-            value(number).map(|value| fixed(format!("#{number}"), What::Variable(value)))
+        let items = PROPOSED_VARIABLES.filter_map(|number| {
+            value(number).map(|value| fixed(format!("#{number}"), ProposalKind::Variable(value)))
         });
         items.collect()
     }
@@ -256,9 +269,12 @@ impl Proposing<'_> {
     /// The tools used earlier in the text, then the other tools of the setup.
     fn tools(&self) -> Vec<Item> {
         let used = &self.around.tools;
-        let others = self.asked.setup.tools.keys().filter(|tool| !used.contains(tool));
-        let tools = used.iter().map(|tool| (tool, Why::Used)).chain(others.map(|tool| (tool, Why::InSetup)));
-        tools.map(|(tool, why)| fixed(&**tool, What::Word(Role::ToolAndOffset, Some(why)))).collect()
+        let others = self.query.setup.tools.keys().filter(|tool| !used.contains(tool));
+        let tools = used
+            .iter()
+            .map(|tool| (tool, ValueSource::Used))
+            .chain(others.map(|tool| (tool, ValueSource::InSetup)));
+        tools.map(|(tool, why)| fixed(&**tool, ProposalKind::Word(Role::ToolAndOffset, Some(why)))).collect()
     }
 
     // ---- snippets ---------------------------------------------------------------------------------------
@@ -266,8 +282,8 @@ impl Proposing<'_> {
     /// The second block of the cycle, if the previous block is its first block.
     fn second_block(&self) -> Option<Snippet> {
         let last = self.around.last?;
-        let (_, block) = block_at(self.asked.text, Resume::inside(last, 0), last);
-        match Form::of(&block, self.state, self.asked.codes) {
+        let (_, block) = block_at(self.query.text, Resume::inside(last, 0), last);
+        match Form::of(&block, self.state, self.query.codes) {
             Form::Multiple(cycle, CycleBlock::First) => Some(Snippet::Second(cycle)),
             _ => None,
         }
@@ -283,20 +299,21 @@ impl Proposing<'_> {
             .into_iter()
             .chain(others)
             .filter(|snippet| !(has_number && *snippet == Snippet::Head))
-            .filter(|snippet| snippet.is_there(self.asked.dialect))
+            .filter(|snippet| snippet.is_supported(self.query.dialect))
             .map(|snippet| self.snippet(snippet))
             .collect()
     }
 
-    /// The snippets that begin with a typed code, or with the begun one.
+    /// The cycles whose code starts with the typed text.
     fn cycles(&self, typed: &str) -> Vec<Item> {
-        let is_cycle = |item: &Item| matches!(item.what, What::Snippet(snippet) if snippet.code().is_some());
+        let is_cycle =
+            |item: &Item| matches!(item.kind, ProposalKind::Snippet(snippet) if snippet.code().is_some());
         let begins = |item: &Item| is_cycle(item) && begins_with(item, typed, Prefix::Word(b'G'));
         self.snippets().into_iter().filter(begins).collect()
     }
 
     fn snippet(&self, snippet: Snippet) -> Item {
-        let pieces = snippet.pieces(self.asked, self.state, self.around.last_sequence());
-        Item { pieces, what: What::Snippet(snippet) }
+        let pieces = snippet.pieces(self.query, self.state, self.around.last_sequence());
+        Item { pieces, kind: ProposalKind::Snippet(snippet) }
     }
 }

@@ -1,6 +1,6 @@
 //! Determines what is being typed before a place, and which proposals match it.
 
-use super::{Item, What};
+use super::{Item, ProposalKind};
 use crate::assist::snippet::{Piece, Snippet};
 use crate::source::Span;
 
@@ -75,9 +75,9 @@ pub fn begins_with(item: &Item, typed: &str, prefix: Prefix) -> bool {
             };
             text.starts_with(typed) || without_leading_zero(&text).starts_with(&without_leading_zero(typed))
         }
-        Prefix::Letters => match item.what {
-            What::Snippet(Snippet::Loop) => "WHILE".starts_with(typed),
-            What::Snippet(Snippet::Condition) => "IF".starts_with(typed),
+        Prefix::Letters => match item.kind {
+            ProposalKind::Snippet(Snippet::Loop) => "WHILE".starts_with(typed),
+            ProposalKind::Snippet(Snippet::Condition) => "IF".starts_with(typed),
             _ => false,
         },
         Prefix::Nothing | Prefix::Variable | Prefix::Goto => first.starts_with(typed),

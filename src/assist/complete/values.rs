@@ -1,6 +1,6 @@
 //! Proposes words for a block, and values for them: from the blank, the tool and the text.
 
-use super::{Item, Proposing, What, Why, fixed};
+use super::{Item, ProposalKind, Proposer, ValueSource, fixed};
 use crate::assist::form::{Form, letters_without_comma};
 use crate::assist::role::{Role, axes};
 use crate::assist::signature::{WhenOmitted, lines, role_of};
@@ -31,10 +31,10 @@ fn axis_of(role: Role) -> Option<(Axis, bool)> {
     })
 }
 
-impl Proposing<'_> {
+impl Proposer<'_> {
     fn form(&self) -> Form {
-        match self.own {
-            true => Form::of(self.asked.block, self.state, self.asked.codes),
+        match self.is_same_line {
+            true => Form::of(self.query.block, self.state, self.query.codes),
             false => Form::Nothing,
         }
     }
@@ -46,14 +46,14 @@ impl Proposing<'_> {
             Form::Nothing => Form::Motion { mode: self.state.motion, own: false },
             // The word without its value is not in the block yet, and may decide which block of the cycle it is.
             Form::Multiple(cycle, _) => {
-                let given = letters_without_comma(self.asked.block) | letters(&[letter]);
+                let given = letters_without_comma(self.query.block) | letters(&[letter]);
                 Form::Multiple(cycle, cycle.spec().block(given))
             }
             form => form,
         };
         let role = role_of(letter, form, self.state);
-        let value = |value: String, why: Why| {
-            fixed(format!("{}{value}", letter as char), What::Word(role, Some(why)))
+        let value = |value: String, why: ValueSource| {
+            fixed(format!("{}{value}", letter as char), ProposalKind::Word(role, Some(why)))
         };
         match role {
             Role::ContourFirst | Role::ContourLast | Role::CalledSequence | Role::ReturnsTo => {
@@ -66,35 +66,36 @@ impl Proposing<'_> {
         let mut items: Vec<Item> = self.places(role).into_iter().map(|(at, why)| value(at, why)).collect();
         // The most recent value first.
         let used = self.around.rates.iter().rev().filter(|(of, _)| *of == letter);
-        items.extend(used.map(|(_, used)| value(used.clone(), Why::Used)));
+        items.extend(used.map(|(_, used)| value(used.clone(), ValueSource::Used)));
         items.dedup_by(|one, other| one.pieces == other.pieces);
         items
     }
 
     /// Possible values of a coordinate, formatted, with their sources.
-    fn places(&self, role: Role) -> Vec<(String, Why)> {
+    fn places(&self, role: Role) -> Vec<(String, ValueSource)> {
         let Some((axis, is_way)) = axis_of(role) else { return Vec::new() };
-        let reading = Reading { unit: self.state.unit, decimal: self.asked.dialect.decimal };
-        let stock = self.asked.setup.extents();
-        let targets: Vec<(f64, Why)> = match axis {
+        let reading = Reading { unit: self.state.unit, decimal: self.query.dialect.decimal };
+        let stock = self.query.setup.extents();
+        let targets: Vec<(f64, ValueSource)> = match axis {
             Axis::X => {
-                let outside = stock.map(|stock| (stock.diameter.mm(), Why::Outside));
-                let bore = stock.map(|stock| (stock.bore.mm(), Why::Bore)).filter(|&(bore, _)| bore > 0.0);
-                let fixed = [(self.here(axis), Why::BlockPosition), (0.0, Why::Axis)];
+                let outside = stock.map(|stock| (stock.diameter.mm(), ValueSource::Outside));
+                let bore =
+                    stock.map(|stock| (stock.bore.mm(), ValueSource::Bore)).filter(|&(bore, _)| bore > 0.0);
+                let fixed = [(self.here(axis), ValueSource::ToolPosition), (0.0, ValueSource::Axis)];
                 outside.into_iter().chain(bore).chain(fixed).collect()
             }
             Axis::Z => {
-                let face = (stock.map_or(0.0, |stock| stock.face), Why::Face);
-                let back = stock.map(|stock| (stock.back(), Why::Back));
-                [face, (self.here(axis), Why::BlockPosition)].into_iter().chain(back).collect()
+                let face = (stock.map_or(0.0, |stock| stock.face), ValueSource::Face);
+                let back = stock.map(|stock| (stock.back(), ValueSource::Back));
+                [face, (self.here(axis), ValueSource::ToolPosition)].into_iter().chain(back).collect()
             }
         };
-        let mut found: Vec<(String, Why)> = Vec::new();
+        let mut found: Vec<(String, ValueSource)> = Vec::new();
         for (at, why) in targets {
             let text = written(if is_way { at - self.here(axis) } else { at }, reading);
             let is_double = found.iter().any(|(other, _)| *other == text);
             // An incremental move to the current position would be zero.
-            let is_nowhere = is_way && why == Why::BlockPosition;
+            let is_nowhere = is_way && why == ValueSource::ToolPosition;
             if !is_double && !is_nowhere {
                 found.push((text, why));
             }
@@ -117,7 +118,7 @@ impl Proposing<'_> {
         if !missing.is_empty() || !is_explicit {
             return missing;
         }
-        if self.own && self.asked.block.words.iter().any(|word| word.span.end <= self.span.start) {
+        if self.is_same_line && self.query.block.words.iter().any(|word| word.span.end <= self.span.start) {
             return Vec::new();
         }
         let mut items = self.snippets();
@@ -127,13 +128,14 @@ impl Proposing<'_> {
 
     /// Words of the form that the block lacks; optional words only if the user requested completion.
     fn missing(&self, form: Form, is_explicit: bool) -> Vec<Item> {
-        if !self.own || matches!(form, Form::Motion { own: false, .. } | Form::Macro | Form::Nothing) {
+        if !self.is_same_line || matches!(form, Form::Motion { own: false, .. } | Form::Macro | Form::Nothing)
+        {
             return Vec::new();
         }
-        let lines = lines(form, self.asked.dialect, axes(self.state, self.state.c_axis));
+        let lines = lines(form, self.query.dialect, axes(self.state, self.state.c_axis));
         let Some(line) = lines.iter().find(|line| line.form == form) else { return Vec::new() };
         let stands = |letters: &[u8], comma: bool| {
-            let words = &self.asked.block.words;
+            let words = &self.query.block.words;
             words.iter().any(|word| letters.contains(&word.address) && word.comma == comma)
         };
         let mut slots: Vec<_> = line
@@ -148,7 +150,7 @@ impl Proposing<'_> {
             let role = role_of(letter, form, self.state);
             let comma = if slot.comma { "," } else { "" };
             let first = Piece::Fixed(format!("{comma}{}", letter as char));
-            Item { pieces: vec![first, Piece::Fill(String::new())], what: What::Word(role, None) }
+            Item { pieces: vec![first, Piece::Fill(String::new())], kind: ProposalKind::Word(role, None) }
         });
         items.collect()
     }

@@ -2,7 +2,7 @@
 //!
 //! In: findings of files, and the list. Out: the findings that are not in the list. A finding is identified
 //! by its file (relative to the folder of the list), its rule, and the text of its block without spaces and
-//! without its N number, so that blocks may be moved and renumbered.
+//! without its sequence number (N), so that blocks may be moved and renumbered.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -16,11 +16,11 @@ use crate::source::LineIndex;
 
 /// Options for the list of known findings.
 #[derive(clap::Args)]
-pub(super) struct Files {
-    /// Findings in this list do not count.
+pub(super) struct BaselineOptions {
+    /// Ignore the findings listed in this file.
     #[arg(long, value_name = "FILE")]
     baseline: Option<PathBuf>,
-    /// Write all findings into this list.
+    /// Write all findings to this file.
     #[arg(long, value_name = "FILE")]
     write_baseline: Option<PathBuf>,
 }
@@ -36,21 +36,21 @@ pub(super) struct Baseline {
     known: BTreeMap<(String, String, String), usize>,
 }
 
-impl Files {
+impl BaselineOptions {
     /// The list to read, if given.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn named(&self) -> Option<PathBuf> {
+    pub(super) fn input(&self) -> Option<PathBuf> {
         self.baseline.clone()
     }
 
     /// The list to write, if given.
-    pub(super) fn written(&self) -> Option<&PathBuf> {
+    pub(super) fn output(&self) -> Option<&PathBuf> {
         self.write_baseline.as_ref()
     }
 
-    /// Reads the list; `usual` is the default if no option names one.
-    pub(super) fn read(&self, usual: Option<&Path>) -> Result<Baseline, String> {
-        let Some(path) = self.baseline.as_deref().or(usual) else { return Ok(Baseline::default()) };
+    /// Reads the list; `default_path` is used if no option names one.
+    pub(super) fn read(&self, default_path: Option<&Path>) -> Result<Baseline, String> {
+        let Some(path) = self.baseline.as_deref().or(default_path) else { return Ok(Baseline::default()) };
         let at = |error: String| format!("{}: {error}", shown(path));
         if self.write_baseline.is_some() && system::kind(path).is_err() {
             // The list will be created by `--write-baseline`.
@@ -59,26 +59,28 @@ impl Files {
         let text = system::read_text(path)?;
         let list: Value = serde_json::from_str(&text).map_err(|error| at(error.to_string()))?;
         let mut known = BTreeMap::new();
-        for row in list.as_array().ok_or_else(|| at("it is no list of findings".to_owned()))? {
+        for row in list.as_array().ok_or_else(|| at("not a list of findings".to_owned()))? {
             let text = |key: &str| row[key].as_str().map(str::to_owned);
             let (Some(file), Some(rule), Some(block), Some(count)) =
                 (text("file"), text("rule"), text("block"), row["count"].as_u64())
             else {
-                return Err(at(format!("no finding with file, rule, block and count: {row}")));
+                return Err(at(format!(
+                    "expected an object with `file`, `rule`, `block` and `count`, found {row}"
+                )));
             };
             *known.entry((file, rule, block)).or_default() += count as usize;
         }
         Ok(Baseline { folder: folder_of(path), known })
     }
 
-    /// The entries for all findings of a file. Empty if no list is written.
+    /// The entries for all findings of a file. Empty if no list is to be written.
     pub(super) fn entries(&self, subject: &Subject) -> Vec<Entry> {
         let Some(list) = &self.write_baseline else { return Vec::new() };
         let (folder, lines) = (folder_of(list), LineIndex::new(&subject.text));
         subject.findings.iter().filter_map(|one| entry(&folder, subject, &lines, one)).collect()
     }
 
-    /// Writes the list in the order of the files, one finding per line.
+    /// Writes the list, sorted by file, rule and block, one entry per line.
     pub(super) fn write(&self, entries: Vec<Entry>) -> Result<(), String> {
         let Some(path) = &self.write_baseline else { return Ok(()) };
         let mut counts: BTreeMap<Entry, usize> = BTreeMap::new();
@@ -131,7 +133,7 @@ pub(super) fn entry(folder: &Path, subject: &Subject, lines: &LineIndex, one: &F
     let line = match &one.what {
         What::Message(message) => lines.line_of(message.span.start.min(text.len() as u32)),
         What::Remark(remark) => remark.place.0.saturating_sub(1).min(lines.len() - 1),
-        What::AssumedStock(..) => return None,
+        What::InferredStock(..) => return None,
     };
     let place = lines.line(text, line);
     let block = String::from_utf8_lossy(&text[place.start as usize..place.end as usize]);

@@ -41,8 +41,8 @@ pub(super) enum What {
     Message(Diagnostic),
     /// An error in the element that contains a program.
     Remark(Remark),
-    /// The stock is assumed, so collisions were not checked. In a page, with line and column of the program.
-    AssumedStock(Option<(u32, u32)>, InferredStock),
+    /// The stock is inferred, so collisions were not checked. In a page, with line and column of the program.
+    InferredStock(Option<(u32, u32)>, InferredStock),
 }
 
 /// An error in an element of a page.
@@ -61,7 +61,7 @@ impl Finding {
         match &self.what {
             What::Message(message) => Some(message.message.slug()),
             What::Remark(remark) => Some(remark.slug),
-            What::AssumedStock(..) => None,
+            What::InferredStock(..) => None,
         }
     }
 
@@ -70,7 +70,7 @@ impl Finding {
         match &self.what {
             What::Message(message) => Some(message.severity),
             What::Remark(_) => Some(Severity::Error),
-            What::AssumedStock(..) => None,
+            What::InferredStock(..) => None,
         }
     }
 
@@ -94,7 +94,7 @@ impl Finding {
                 alarm: None,
                 fixes: Vec::new(),
             }),
-            What::AssumedStock(..) => None,
+            What::InferredStock(..) => None,
         }
     }
 }

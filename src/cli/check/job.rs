@@ -319,7 +319,7 @@ impl Job<'_> {
         self.selection.keep(settings, &mut program.analysis.diagnostics);
         let stock = InferredStock::of(&program.analysis, self.language);
         let messages = program.analysis.diagnostics.into_iter().map(What::Message);
-        let stock = stock.map(|stock| What::AssumedStock(None, stock));
+        let stock = stock.map(|stock| What::InferredStock(None, stock));
         let subject = Subject {
             name: program.name,
             text: program.text,

@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 
 use super::Status;
 use super::configuration::{self, Configurations};
-use super::options::{Texts, With};
+use super::options::{LanguageOptions, ProgramOptions};
 use super::system::{self, Stream};
 use crate::sentences::Language;
 use job::Job;
@@ -41,13 +41,13 @@ pub(super) struct Check {
     #[arg(required = true)]
     files: Vec<PathBuf>,
     #[command(flatten)]
-    with: With,
+    with: ProgramOptions,
     #[command(flatten)]
-    texts: Texts,
+    texts: LanguageOptions,
     /// How findings are written.
     #[arg(long, value_enum, default_value = "text")]
     format: ReportFormat,
-    /// Where to write them; standard output when left out.
+    /// Where to write them; standard output by default.
     #[arg(short, long)]
     output_file: Option<PathBuf>,
     /// Whether text is coloured. `auto`: on a terminal, unless the environment variable NO_COLOR is set.
@@ -67,7 +67,7 @@ pub(super) struct Check {
     #[command(flatten)]
     selection: selection::Choice,
     #[command(flatten)]
-    baseline: baseline::Files,
+    baseline: baseline::BaselineOptions,
     /// Exit status 0 even if there are findings or repairs; still 2 for bad usage and files that cannot be read.
     #[arg(long)]
     exit_zero: bool,
@@ -112,7 +112,7 @@ fn usual_endings(check: &Check) -> &'static [&'static str] {
 impl Check {
     /// Refuses an output that would overwrite a program, and a table where XML is requested.
     fn refuse_what_would_be_lost(&self, files: &[PathBuf]) -> Result<(), String> {
-        for output in self.output_file.iter().chain(self.baseline.written()) {
+        for output in self.output_file.iter().chain(self.baseline.output()) {
             let is_output = system::same_as(output);
             if files.iter().any(|file| is_output(file)) {
                 return Err(format!("{}: is checked, so nothing else is written into it", output.display()));

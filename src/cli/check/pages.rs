@@ -85,7 +85,7 @@ impl Look<'_> {
             What::Message(manual_page::placed(told, example, &own_lines, own, page, lines))
         }));
         let stock = InferredStock::of(&program.analysis, language);
-        found.extend(stock.map(|stock| What::AssumedStock(Some(place), stock)));
+        found.extend(stock.map(|stock| What::InferredStock(Some(place), stock)));
         found
     }
 }

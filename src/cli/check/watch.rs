@@ -53,7 +53,7 @@ fn seen(check: &Check) -> Vec<Seen> {
     let usual = super::usual_endings(check);
     let mut files: Vec<PathBuf> = check.with.setup.clone();
     files.extend(check.with.config.clone());
-    files.extend(check.baseline.named());
+    files.extend(check.baseline.input());
     // A configuration that cannot be read is watched, too.
     files.push(PathBuf::from(configuration::NAME));
     if let Ok(configurations) = Configurations::new(&check.with)

@@ -15,7 +15,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use ignore::gitignore::{Gitignore, GitignoreBuilder};
 
-use super::options::With;
+use super::options::ProgramOptions;
 use super::system;
 use crate::message::Severity;
 use crate::setup::dialect::Control;
@@ -133,7 +133,7 @@ impl Settings {
 
 /// Finds and reads configurations and setups, each once.
 pub(super) struct Configurations<'a> {
-    with: &'a With,
+    with: &'a ProgramOptions,
     /// The configuration given by `--config`.
     given: Option<Arc<Configuration>>,
     /// The setups given by `--setup`, as JSON.
@@ -154,7 +154,7 @@ type Applying = (Option<PathBuf>, Vec<usize>);
 
 impl<'a> Configurations<'a> {
     /// Reads the files given by the options.
-    pub(super) fn new(with: &'a With) -> Result<Self, String> {
+    pub(super) fn new(with: &'a ProgramOptions) -> Result<Self, String> {
         let given = with.config.as_deref().map(Configuration::read).transpose()?.map(Arc::new);
         let setups = with.setup.iter().map(|path| Ok((path.clone(), setup_text(path)?)));
         Ok(Self { with, given, setups: setups.collect::<Result<_, String>>()?, found: Mutex::default() })

@@ -5,7 +5,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use super::super::options::{Form, Format, With};
+use super::super::options::{Format, OutputFormat, ProgramOptions};
 use super::super::{Status, print, write_row};
 use super::{Configuration, Configurations, Located, Settings, Values, shown};
 use crate::api::Configured as Row;
@@ -18,9 +18,9 @@ pub(in crate::cli) struct Config {
     /// The program, which need not be there; without it, what holds in this folder.
     file: Option<PathBuf>,
     #[command(flatten)]
-    with: With,
+    with: ProgramOptions,
     #[command(flatten)]
-    form: Form,
+    form: OutputFormat,
 }
 
 /// Runs `config`.
@@ -50,7 +50,7 @@ fn write(out: &mut dyn Write, settings: &Settings, rows: &[Row], format: Format)
 }
 
 /// The settings, one row for each value.
-fn rows(settings: &Settings, with: &With) -> Vec<Row> {
+fn rows(settings: &Settings, with: &ProgramOptions) -> Vec<Row> {
     let file = settings.configuration.as_deref().map(|configuration| configuration.name.clone());
     let mut rows = Rows { list: Vec::new(), file };
     let located = |name: fn(&Values) -> Option<&Located<Control>>| settings.values().filter_map(name).last();

@@ -14,7 +14,7 @@ use super::configuration::Configurations;
 use super::manual::attributes::{self, Fault};
 use super::manual::{self, Attributes, Example, Holder, Markup};
 use super::manual_page::{self, Base, Page};
-use super::options::{Destination, LanguageName, TurretName, With};
+use super::options::{Destination, LanguageName, ProgramOptions, TurretName};
 use super::system::print_error_line;
 use super::{
     NAME, Program, Status, counted, encoding, figure_options, print, read, run_text, save, save_apart, status,
@@ -38,7 +38,7 @@ pub(super) struct Embed {
     #[arg(required = true)]
     files: Vec<PathBuf>,
     #[command(flatten)]
-    with: With,
+    with: ProgramOptions,
     #[command(flatten)]
     look: Look,
     /// For a page in HTML, for Markdown, where an element would end at a blank line, for Markdown with JSX; or as a frame.
@@ -82,7 +82,7 @@ struct Look {
     /// Language of the element and of its picture.
     #[arg(long, visible_alias = "language", value_enum)]
     lang: Option<LanguageName>,
-    /// Which side of the spindle the turret is drawn on. That of the setup when left out.
+    /// Which side of the spindle the turret is drawn on. Default: that of the setup.
     #[arg(long, value_enum)]
     turret: Option<TurretName>,
     /// A line under the element, and under its picture.

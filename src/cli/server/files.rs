@@ -7,20 +7,20 @@ use std::path::{Path, PathBuf};
 
 use super::super::check::Selection;
 use super::super::configuration::Configurations;
-use super::super::options::With;
+use super::super::options::ProgramOptions;
 use super::super::subprograms;
 use crate::run::subprograms::Joined;
 use crate::server::host::{Host, Settings};
 
 /// Configurations and setups of the options and of the files.
 pub(super) struct Files<'a> {
-    with: &'a With,
+    with: &'a ProgramOptions,
     configurations: Configurations<'a>,
 }
 
 impl<'a> Files<'a> {
     /// Reads the files of the options.
-    pub(super) fn new(with: &'a With) -> Result<Self, String> {
+    pub(super) fn new(with: &'a ProgramOptions) -> Result<Self, String> {
         Ok(Self { with, configurations: Configurations::new(with)? })
     }
 }

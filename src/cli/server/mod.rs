@@ -14,7 +14,7 @@ use std::thread;
 use std::time::Duration;
 
 use super::Status;
-use super::options::{Texts, With};
+use super::options::{LanguageOptions, ProgramOptions};
 use super::system::{self, Stream};
 use crate::server::{Options, Pending, Server};
 use files::Files;
@@ -29,9 +29,9 @@ const PAUSE: Duration = Duration::from_millis(100);
 #[derive(clap::Args)]
 pub(super) struct Serve {
     #[command(flatten)]
-    with: With,
+    with: ProgramOptions,
     #[command(flatten)]
-    texts: Texts,
+    texts: LanguageOptions,
     /// The address of a site that has the playground: messages link to the pages of their rules there.
     #[arg(long, value_name = "ADDRESS")]
     pages: Option<String>,

@@ -4,7 +4,7 @@ use super::{BlockPosition, Flow, Interpreter};
 use crate::control::events::Event;
 use crate::control::macros::{MacroError, MacroErrorKind};
 use crate::control::program::{Loop, Rounds};
-use crate::limits::LOOPS;
+use crate::limits::MAX_LOOPS;
 use crate::message::{Diagnostic, Fix};
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind};
@@ -80,7 +80,7 @@ impl Interpreter {
     /// reported as nested in itself.
     fn open_loop(&mut self, own: Loop) {
         let loops = self.state.call_stack.loops();
-        if loops.len() < LOOPS {
+        if loops.len() < MAX_LOOPS {
             loops.push(own);
         }
     }

@@ -11,7 +11,7 @@ use crate::geometry::{Arc, Point, Turn};
 use crate::message::said;
 use crate::motion::{Motion, MotionKind, Process, Rotary, Stop, StopKind};
 use crate::parts::{Part, late};
-use crate::setup::tool_words::{is_second_operation, turns_round};
+use crate::setup::tool_words::{flips_part, is_second_operation};
 use crate::text::block::Block;
 
 /// The part of the module that reads comments about flipping the part. The lints are in the same part; a run
@@ -26,7 +26,7 @@ late! {
             && block.comments.iter().any(|comment| {
                 let comment = String::from_utf8_lossy(comment.of(text));
                 let comment = comment.trim_matches(['(', ')']);
-                turns_round(comment, stop.is_some())
+                flips_part(comment, stop.is_some())
                     || stop == Some(StopKind::Always) && is_second_operation(comment)
             })
     }

@@ -20,7 +20,7 @@ use std::ops::Range;
 use super::cursor::{Arithmetic, Cursor, Operator};
 use super::functions::{self, Function};
 use super::{MacroError, MacroErrorKind, Memory};
-use crate::limits::BRACKETS;
+use crate::limits::MAX_BRACKETS;
 
 /// The value after an address letter; `None` for a vacant variable, whose word is ignored. `increment` is the
 /// least increment of the address, in its own unit; ROUND rounds to it here.
@@ -290,7 +290,7 @@ impl<'a> Evaluator<'a> {
         if !self.cursor.eat(b'[') {
             return Err(MacroErrorKind::Expression.at(open));
         }
-        if self.depth == BRACKETS {
+        if self.depth == MAX_BRACKETS {
             return Err(MacroErrorKind::BracketsTooDeep.at(open));
         }
         self.depth += 1;

@@ -21,7 +21,7 @@ use super::super::plot::Plot;
 use super::super::view::View;
 use super::super::{Scene, StrokeShape, StrokeStyle};
 use super::OVER;
-use super::paths::{Paths, halves, path_of, under_way};
+use super::paths::{Paths, finished_part, path_of, split_stretch};
 use super::pen::{Dash, Pen, rgb};
 use super::sheet;
 use crate::parts::late;
@@ -74,7 +74,7 @@ late! {
 
     fn ink_under_way(pen: &Pen, scene: &Scene, view: &View, at: Playhead) -> Result<(), JsValue> {
         match scene.place(at) {
-            Some(place) => ink(pen, view, &mut [&under_way(scene, place)?].into_iter()),
+            Some(place) => ink(pen, view, &mut [&finished_part(scene, place)?].into_iter()),
             None => Ok(()),
         }
     }
@@ -371,7 +371,7 @@ impl StrokeLayer {
         in_view: &[&Stretch],
         until: usize,
     ) -> Result<(), JsValue> {
-        let (before, after) = halves(scene, until)?;
+        let (before, after) = split_stretch(scene, until)?;
         let ahead = in_view.iter().filter(|stretch| stretch.motions.start > until);
         let done = in_view.iter().filter(|stretch| stretch.motions.end <= until);
         let pen = &self.image;

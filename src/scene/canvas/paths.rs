@@ -1,8 +1,8 @@
-//! Strokes as paths of the browser, in mm.
+//! Converts strokes to the browser's `Path2d`, in mm.
 //!
-//! In: strokes. Out: one `Path2d` for each ink. World coordinates: Z is the first axis, the radius the
-//! second. The transform under which the paths are drawn turns X up, which also reverses the direction of
-//! arcs.
+//! In: strokes. Out: one `Path2d` for each ink, and the points of the dwells. World coordinates: Z is the
+//! first axis, the radius the second. The transform under which the paths are drawn turns X up, which also
+//! reverses the direction of arcs. Functions fail only if the browser refuses a path.
 
 use wasm_bindgen::JsValue;
 use web_sys::Path2d;
@@ -12,21 +12,21 @@ use crate::geometry::{Arc, Point, Turn};
 use super::super::ink::Ink;
 use super::super::{Place, Scene, Stroke, StrokeShape, StrokeStyle};
 
-/// If the radii of the two ends of an arc differ by more than this, mm, they are joined by a spiral.
-const ROUND: f64 = 1e-3;
+/// If the radii at the two ends of an arc differ by more than this, mm, the arc is drawn as a spiral.
+const MAX_RADIUS_DIFFERENCE: f64 = 1e-3;
 /// Number of line segments in such a spiral.
-const PIECES: u32 = 64;
+const SPIRAL_SEGMENTS: u32 = 64;
 
 /// Some strokes as paths.
 #[derive(Debug, Default)]
 pub struct Paths {
-    lines: [Option<Line>; 8],
-    dots: [Vec<Point>; 8],
+    lines: [Option<OpenPath>; Ink::ALL.len()],
+    dots: [Vec<Point>; Ink::ALL.len()],
 }
 
 /// A path and its current end.
 #[derive(Debug)]
-struct Line {
+struct OpenPath {
     path: Path2d,
     end: Option<Point>,
 }
@@ -51,19 +51,14 @@ impl Paths {
         }
         let line = match &mut self.lines[index] {
             Some(line) => line,
-            empty => empty.insert(Line { path: Path2d::new()?, end: None }),
+            empty => empty.insert(OpenPath { path: Path2d::new()?, end: None }),
         };
         let start = shape.start();
         // Each rapid starts its own dash pattern, see `drawn_shape`.
         if line.end != Some(start) || stroke.style == StrokeStyle::Rapid {
             line.path.move_to(start.z, start.x);
         }
-        match shape {
-            StrokeShape::Line { to, .. } => line.path.line_to(to.z, to.x),
-            StrokeShape::Arc(arc) => trace(&line.path, &arc)?,
-            StrokeShape::Virtual(own) => follow(&line.path, &StrokeShape::curve(&own)),
-            StrokeShape::Dot(_) => {}
-        }
+        append(&line.path, shape)?;
         line.end = Some(shape.end());
         Ok(())
     }
@@ -79,9 +74,9 @@ impl Paths {
     }
 }
 
-/// The paths of the stretch that contains the tool: of the motions before `until`, and of the motions from
-/// `until` on.
-pub fn halves(scene: &Scene, until: usize) -> Result<(Paths, Paths), JsValue> {
+/// The paths of the stretch (see `path_index`) that contains the motion `until`: before it, and from it on.
+/// Empty if there is none.
+pub fn split_stretch(scene: &Scene, until: usize) -> Result<(Paths, Paths), JsValue> {
     let Some(stretch) = scene.path_index().stretch_of(until) else {
         return Ok((Paths::default(), Paths::default()));
     };
@@ -90,7 +85,7 @@ pub fn halves(scene: &Scene, until: usize) -> Result<(Paths, Paths), JsValue> {
 }
 
 /// The finished part of the current motion.
-pub fn under_way(scene: &Scene, place: Place) -> Result<Paths, JsValue> {
+pub fn finished_part(scene: &Scene, place: Place) -> Result<Paths, JsValue> {
     let done = |stroke: Stroke| Stroke { shape: stroke.shape.split(place.fraction).0, ..stroke };
     Paths::of(scene.stroke(place.motion).map(done).into_iter())
 }
@@ -101,14 +96,20 @@ pub fn path_of(shapes: impl Iterator<Item = StrokeShape>) -> Result<Path2d, JsVa
     for shape in shapes {
         let start = shape.start();
         path.move_to(start.z, start.x);
-        match shape {
-            StrokeShape::Line { to, .. } => path.line_to(to.z, to.x),
-            StrokeShape::Arc(arc) => trace(&path, &arc)?,
-            StrokeShape::Virtual(own) => follow(&path, &StrokeShape::curve(&own)),
-            StrokeShape::Dot(_) => {}
-        }
+        append(&path, shape)?;
     }
     Ok(path)
+}
+
+/// Adds a shape from its start point; a dwell adds nothing.
+fn append(path: &Path2d, shape: StrokeShape) -> Result<(), JsValue> {
+    match shape {
+        StrokeShape::Line { to, .. } => path.line_to(to.z, to.x),
+        StrokeShape::Arc(arc) => trace(path, &arc)?,
+        StrokeShape::Virtual(own) => follow(path, &StrokeShape::curve(&own)),
+        StrokeShape::Dot(_) => {}
+    }
+    Ok(())
 }
 
 /// Adds lines through the points.
@@ -121,9 +122,9 @@ fn follow(path: &Path2d, points: &[Point]) {
 /// Adds an arc from its start point.
 fn trace(path: &Path2d, arc: &Arc) -> Result<(), JsValue> {
     let radius = arc.radius();
-    if (radius - arc.end.distance(arc.center)).abs() > ROUND {
-        for piece in 1..=PIECES {
-            let at = arc.at(f64::from(piece) / f64::from(PIECES));
+    if (radius - arc.end.distance(arc.center)).abs() > MAX_RADIUS_DIFFERENCE {
+        for segment in 1..=SPIRAL_SEGMENTS {
+            let at = arc.at(f64::from(segment) / f64::from(SPIRAL_SEGMENTS));
             path.line_to(at.z, at.x);
         }
         return Ok(());

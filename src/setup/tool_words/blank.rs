@@ -5,15 +5,15 @@
 //! them unless the motions contradict.
 
 use super::numbers::{Measure, measures};
-use super::terms::{Form, first, kind, names_any};
+use super::terms::{MatchKind, kind, names_any, split_at_first};
 use crate::setup::ToolKind;
 use crate::setup::stock::DescribedStock;
 use crate::units::{Diameter, Unit};
-use Form::{Part, Stem, Word};
+use MatchKind::{Part, Stem, Word};
 
 /// Terms for a blank, except its material.
 #[rustfmt::skip]
-const BLANKS: &[(Form, &str)] = &[
+const BLANKS: &[(MatchKind, &str)] = &[
     (Part, "BARSTOCK"), (Word, "STOCK"), (Word, "BLANK"), (Stem, "BILLET"), (Word, "ROUND BAR"), (Stem, "BRUT"), (Part, "ROHTEIL"), (Part, "ROHLING"), (Part, "ROHMATERIAL"),
     (Part, "RUNDSTANGE"), (Stem, "BARRA"), (Stem, "TOCHO"), (Stem, "TARUGO"), (Stem, "GREZZO"), (Stem, "PRĘT"), (Word, "PRET"), (Stem, "SUROWK"), (Stem, "SURÓWK"),
     (Stem, "POLOTOVAR"),
@@ -21,19 +21,19 @@ const BLANKS: &[(Form, &str)] = &[
 ];
 
 /// Terms for a material, which may be followed by a grade: `MATERIAL D2 STEEL`.
-const MATERIALS: &[(Form, &str)] =
+const MATERIALS: &[(MatchKind, &str)] =
     &[(Word, "MATERIAL"), (Word, "MATL"), (Word, "MATERIAU"), (Word, "MATÉRIAU")];
 
 /// Terms that contain one of these words but do not mean a blank.
 #[rustfmt::skip]
-const OTHERS: &[(Form, &str)] = &[
+const OTHERS: &[(MatchKind, &str)] = &[
     (Word, "STOCK PULL"), (Stem, "STOCK PULLER"), (Word, "STOCK STOP"), (Word, "STOCK TO"), (Stem, "STOCK ALLOW"), (Stem, "STOCK REMOV"),
     (Word, "STOCK LEFT"), (Word, "FACE STOCK"), (Stem, "LEAVE"), (Stem, "LEAVING"), (Stem, "REMOVE"), (Stem, "REMAINING"), (Word, "TOOL"),
     (Word, "FINISH STOCK"), (Word, "FINISHING STOCK"), (Word, "STOCK FOR"), (Word, "STOCK ON"), (Word, "STOCK PER"), (Part, "余量"),
 ];
 
 /// Terms for a round bar: a number beside them is its diameter.
-const BARS: &[(Form, &str)] = &[
+const BARS: &[(MatchKind, &str)] = &[
     (Part, "BARSTOCK"),
     (Word, "BAR STOCK"),
     (Word, "ROUND STOCK"),
@@ -43,7 +43,7 @@ const BARS: &[(Form, &str)] = &[
 
 /// Terms for sizes of a bar other than its diameter.
 #[rustfmt::skip]
-const OTHER_SIZES: &[(Form, &str)] = &[
+const OTHER_SIZES: &[(MatchKind, &str)] = &[
     (Part, "STICKOUT"), (Part, "STICK OUT"), (Stem, "OVERHANG"), (Stem, "PROTRU"), (Stem, "PROJECT"), (Stem, "WIDTH"), (Word, "WIDE"),
     (Stem, "THICK"), (Word, "THK"), (Stem, "LENGTH"), (Word, "LONG"), (Stem, "DEPTH"), (Word, "DEEP"), (Stem, "HEIGHT"), (Word, "WALL"),
 ];
@@ -59,11 +59,11 @@ pub(super) fn described(text: &str, unit: Unit) -> DescribedStock {
         diameter: diameter.map(|own| Diameter::new(own.in_millimetres(unit))),
         length: length.map(|own| own.in_millimetres(unit)),
     };
-    let of_blank = first(text, BLANKS);
+    let of_blank = split_at_first(text, BLANKS);
     if let Some(bar) = bar_alone(text) {
         return said(Some(bar), None);
     }
-    let Some((_, behind)) = of_blank.or_else(|| first(text, MATERIALS)) else {
+    let Some((_, behind)) = of_blank.or_else(|| split_at_first(text, MATERIALS)) else {
         // `OD: 80mm | LENGTH: 120mm` names both.
         let both = measures(text).find(|own| own.before == "OD").zip(measures(text).find(is_length));
         return both

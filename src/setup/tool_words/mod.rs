@@ -116,7 +116,7 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
     if text.contains("INDICATE") {
         return Tool::default();
     }
-    let mut tool = terms::insert(&text).unwrap_or_default();
+    let mut tool = terms::insert_tool(&text).unwrap_or_default();
     let kind = terms::kind(&text);
     // `14MM DRILL XCMT`: the word has priority over the insert.
     tool.kind = match (kind, tool.kind) {
@@ -143,7 +143,7 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
         ToolKind::Grooving => {
             tool.width = numbers::width(&text, unit).or(tool.width);
             tool.nose_radius = tool.nose_radius.or(numbers::nose_radius(&text, unit));
-            tool.tip = terms::right_corner(&text).then_some(4);
+            tool.tip = terms::names_right_corner(&text).then_some(4);
         }
         ToolKind::Threading => {}
         ToolKind::Drill | ToolKind::Tap | ToolKind::Endmill => {
@@ -160,11 +160,11 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
     tool
 }
 
-/// Whether a comment tells to turn the part around and machine the other end. `is_at_stop`: the comment is in
-/// the block of a stop.
-pub fn turns_round(comment: &str, is_at_stop: bool) -> bool {
+/// Whether a comment tells the operator to flip the part and machine the other end. `is_at_stop`: the comment
+/// is in the block of a stop.
+pub fn flips_part(comment: &str, is_at_stop: bool) -> bool {
     !ignored::is_ignore_comment(comment.as_bytes())
-        && terms::turns_round(&capitals::in_capitals(comment), is_at_stop)
+        && terms::flips_part(&capitals::in_capitals(comment), is_at_stop)
 }
 
 /// Whether a comment is the number of the second operation, which means the same in the block of M00.

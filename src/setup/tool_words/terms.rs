@@ -1,4 +1,4 @@
-//! Workshop terms in nine languages, and designations of inserts.
+//! Workshop terms in many languages, and designations of inserts.
 //!
 //! In: a comment in capitals. Out: a kind of tool, a side of the workpiece, the tool of an insert's
 //! designation.
@@ -8,20 +8,21 @@ use ToolKind::{Boring, Drill, Endmill, Grooving, Tap, Threading, Turning};
 
 /// How a term matches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum MatchKind {
     /// One or several whole words: `TAP`.
     Word,
     /// The beginning of a word: `GROOV` for GROOVE and GROOVING.
     Stem,
-    /// Anywhere: in scripts without blanks, and within compounds.
+    /// Anywhere: in scripts without spaces, and within compounds.
     Part,
 }
-use Form::{Part, Stem, Word};
+use MatchKind::{Part, Stem, Word};
 
 /// Terms and the kind of tool they name. The first match is used, so a term that is part of a longer one
-/// comes after it. A term with `None` names the work, not the tool.
+/// comes after it. A term with `None` names the work, not the tool. Some terms are written as found in
+/// programs: misspelt, mis-encoded or transliterated.
 #[rustfmt::skip]
-pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
+pub const KINDS: &[(MatchKind, &str, Option<ToolKind>)] = &[
     // Not tools.
     (Stem, "THREAD RELIEF", None), (Stem, "THREAD BUR", None),
     (Stem, "CENTER OF", None), (Stem, "CUT OFF LENGTH", None), (Part, "退刀槽", None), (Stem, "TURNING TOOL CHANGE", None),
@@ -83,14 +84,14 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
 
 /// Devices that hold or move the workpiece and do not cut.
 #[rustfmt::skip]
-const HANDLING: &[(Form, &str)] = &[
+const HANDLING: &[(MatchKind, &str)] = &[
     (Stem, "BAR PUL"), (Part, "BARPUL"), (Stem, "PULLER"), (Stem, "GRIPPER"), (Stem, "STOCK PULL"), (Stem, "STOCK STOP"), (Stem, "BAR STOP"),
     (Word, "BARSTOP"), (Stem, "PARTS CATCH"), (Stem, "TAILSTOCK CENT"),
 ];
 
-/// Terms for turning the part around, so that the other end is machined afterwards.
+/// Terms for flipping the part end for end, so that the other end is machined afterwards.
 #[rustfmt::skip]
-const TURNED_ROUND: &[(Form, &str)] = &[
+const FLIPPED: &[(MatchKind, &str)] = &[
     (Word, "FLIP PART"), (Word, "FLIP THE PART"), (Word, "FLIP WORK"), (Word, "FLIP WORKPIECE"), (Word, "FLIP THE WORKPIECE"),
     (Word, "FLIP PIECE"), (Word, "TURN PART"), (Word, "TURN THE PART"), (Word, "TURN WORK"), (Word, "REVERSE PART"),
     (Word, "REVERSE THE PART"), (Word, "REVERSE WORK"), (Word, "SECOND SIDE"), (Word, "2ND SIDE"), (Word, "SECOND END"), (Word, "2ND END"),
@@ -102,39 +103,40 @@ const TURNED_ROUND: &[(Form, &str)] = &[
     (Stem, "2-Я СТОРОН"), (Stem, "ВТОРОЙ УСТАНОВ"), (Part, "调头"), (Part, "掉头"), (Part, "調頭"), (Part, "掉頭"), (Part, "翻面"), (Part, "第二面"),
 ];
 
-/// Terms with that meaning in the block of a stop; elsewhere they are about a groove, the spindle or the
-/// chips.
+/// Terms that mean this only in the block of a stop (M00, M01); elsewhere they are about a groove, the
+/// spindle or the chips.
 #[rustfmt::skip]
-const TURNED_ROUND_AT_STOP: &[(Form, &str)] = &[
+const FLIPPED_AT_STOP: &[(MatchKind, &str)] = &[
     (Stem, "FLIP"), (Word, "TURN AROUND"), (Word, "TURN ROUND"), (Word, "TURN OVER"), (Word, "SIDE 2"), (Word, "OTHER SIDE"),
     (Word, "OTHER END"), (Word, "UMDREHEN"), (Word, "SEITE 2"), (Stem, "RETOURN"), (Word, "VIRAR"), (Word, "VIRE A"), (Word, "OUTRO LADO"),
     (Word, "DAR VUELTA"), (Word, "DAR LA VUELTA"), (Stem, "VOLTEAR"), (Word, "OTRO LADO"), (Word, "GIRARE"), (Stem, "ПЕРЕУСТАНОВ"),
     (Part, "反面"), (Part, "另一端"), (Part, "另一头"),
 ];
 
-/// Texts with that meaning as the whole comment of an M00 block: the number of the operation.
+/// Comments of an M00 block that consist only of the name of the second operation.
 const SECOND_OPERATION: [&str; 6] = ["OP2", "OP 2", "OP20", "OP 20", "2ND OP", "SECOND OP"];
 
-/// Inserts, which are turned around, too.
-const INSERTS: &[(Form, &str)] = &[(Part, "PLATTE"), (Stem, "ПЛАСТИН"), (Part, "刀片")];
+/// Cutting inserts, in the languages whose terms in [`FLIPPED`] do not name the part: `PLATTE WENDEN` flips
+/// the insert.
+const INSERTS: &[(MatchKind, &str)] = &[(Part, "PLATTE"), (Stem, "ПЛАСТИН"), (Part, "刀片")];
 
-/// Other objects that are turned: beside them, terms of [`TURNED_ROUND_AT_STOP`] do not count.
+/// Other objects that are turned: beside them, terms of [`FLIPPED_AT_STOP`] do not count.
 #[rustfmt::skip]
-const OTHER_OBJECTS: &[(Form, &str)] = &[
+const OTHER_OBJECTS: &[(MatchKind, &str)] = &[
     (Stem, "INSERT"), (Stem, "TOOL"), (Stem, "CHIP"), (Stem, "SPINDLE"), (Stem, "MANDRIN"), (Word, "ZERO"), (Word, "ZÉRO"), (Word, "HOME"),
     (Stem, "РЕЗЕЦ"), (Stem, "РЕЗЦ"), (Stem, "ИНСТРУМЕНТ"), (Part, "刀"),
 ];
 
-/// Negations: the terms after one do not count.
+/// Negations: terms after a negation do not count.
 #[rustfmt::skip]
-const NEGATIONS: &[(Form, &str)] = &[
+const NEGATIONS: &[(MatchKind, &str)] = &[
     (Word, "NOT"), (Word, "DON'T"), (Word, "DONT"), (Word, "NO FLIP"), (Stem, "NO VOLTE"), (Word, "NO DAR"), (Word, "NICHT"), (Word, "NE"), (Word, "NAO"), (Word, "NÃO"), (Word, "NON"),
     (Word, "НЕ"), (Part, "不"), (Part, "勿"),
 ];
 
 /// Terms and the side of the workpiece they name.
 #[rustfmt::skip]
-pub const SIDES: &[(Form, &str, Side)] = &[
+pub const SIDES: &[(MatchKind, &str, Side)] = &[
     (Stem, "FACE GROOV", Side::Face), (Part, "FACEGROOV", Side::Face), (Stem, "FACIAL", Side::Face), (Part, "PLANSTECH", Side::Face), (Part, "PLANEINSTECH", Side::Face),
     (Part, "AXIALEINSTECH", Side::Face), (Part, "AXIALSTECH", Side::Face), (Stem, "GOLA FRONTALE", Side::Face), (Stem, "RANURADO FRONTAL", Side::Face),
     (Stem, "КАНАВОЧНЫЙ ТОРЦ", Side::Face), (Part, "端面槽", Side::Face), (Part, "端面切槽", Side::Face),
@@ -146,7 +148,7 @@ pub const SIDES: &[(Form, &str, Side)] = &[
     (Part, "AUSSEN", Side::Outside), (Part, "AUßEN", Side::Outside), (Stem, "НАРУЖ", Side::Outside), (Part, "外", Side::Outside),
 ];
 
-/// Beginnings of designations of grooving inserts, and their side of the workpiece.
+/// Prefixes of designations of grooving inserts, and their side of the workpiece.
 #[rustfmt::skip]
 const BLADES: &[(&str, Side)] = &[
     ("MGMN", Side::Outside), ("MGGN", Side::Outside), ("DGN", Side::Outside), ("GTN", Side::Outside), ("N151", Side::Outside),
@@ -155,7 +157,7 @@ const BLADES: &[(&str, Side)] = &[
 ];
 
 /// Whether a comment says that the programmed point is the right corner of a grooving insert.
-pub fn right_corner(text: &str) -> bool {
+pub fn names_right_corner(text: &str) -> bool {
     const TERMS: [&str; 8] = [
         "RIGHT CORNER",
         "RIGHT EDGE",
@@ -174,7 +176,7 @@ pub fn kind(text: &str) -> Option<ToolKind> {
     if handles_work(text) {
         return None;
     }
-    let bytes = Bytes::of(text);
+    let bytes = ByteSet::of(text);
     KINDS.iter().find(|(form, term, _)| contains_term(text, &bytes, term, *form)).and_then(|(.., kind)| *kind)
 }
 
@@ -183,25 +185,26 @@ pub fn handles_work(text: &str) -> bool {
     names_any(text, HANDLING)
 }
 
-/// Whether a comment tells to turn the part around. `is_at_stop`: the comment is in the block of a stop.
-pub fn turns_round(text: &str, is_at_stop: bool) -> bool {
-    let said = first(text, NEGATIONS).map_or(text, |(before, _)| before);
-    let bytes = Bytes::of(said);
-    let says = |terms: &[(Form, &str)]| {
-        let mut found = terms.iter().flat_map(|(form, term)| places(said, &bytes, term, *form));
-        found.any(|(before, term, behind)| names_part(before, term, behind))
+/// Whether a comment tells the operator to flip the part. `is_at_stop`: the comment is in the block of a
+/// stop.
+pub fn flips_part(text: &str, is_at_stop: bool) -> bool {
+    let affirmed = split_at_first(text, NEGATIONS).map_or(text, |(before, _)| before);
+    let bytes = ByteSet::of(affirmed);
+    let says = |terms: &[(MatchKind, &str)]| {
+        let mut found = terms.iter().flat_map(|(form, term)| places(affirmed, &bytes, term, *form));
+        found.any(|(before, term, after)| names_part(before, term, after))
     };
-    let says_at_stop = || says(TURNED_ROUND_AT_STOP) && !names_any(text, OTHER_OBJECTS);
-    (says(TURNED_ROUND) || is_at_stop && says_at_stop()) && !names_any(text, INSERTS)
+    let says_at_stop = || says(FLIPPED_AT_STOP) && !names_any(text, OTHER_OBJECTS);
+    (says(FLIPPED) || is_at_stop && says_at_stop()) && !names_any(text, INSERTS)
 }
 
-/// Whether a side or an end is one of the part: not the beginning of a size (`SIDE 2.5`), nor
+/// Whether a side or an end belongs to the part: not the beginning of a size (`SIDE 2.5`), nor
 /// `OTHER SIDE OF SHOULDER`.
-fn names_part(before: &str, term: &str, behind: &str) -> bool {
+fn names_part(before: &str, term: &str, after: &str) -> bool {
     let is_digit = |c: char| c.is_ascii_digit();
-    let is_size = term.ends_with(is_digit) && behind.starts_with(|c| is_digit(c) || matches!(c, '.' | ','))
+    let is_size = term.ends_with(is_digit) && after.starts_with(|c| is_digit(c) || matches!(c, '.' | ','))
         || term.starts_with(is_digit) && before.ends_with(|c| is_digit(c) || matches!(c, '.' | ','));
-    let owner = behind.trim_start().strip_prefix("OF ").map(|owner| owner.trim_start_matches("THE "));
+    let owner = after.trim_start().strip_prefix("OF ").map(|owner| owner.trim_start_matches("THE "));
     let is_part = |owner: &str| ["PART", "WORK", "PIECE"].iter().any(|name| owner.starts_with(name));
     !is_size && owner.is_none_or(is_part)
 }
@@ -213,14 +216,14 @@ pub fn is_second_operation(text: &str) -> bool {
 
 /// The side of the workpiece that a comment names.
 pub fn side(text: &str) -> Option<Side> {
-    let bytes = Bytes::of(text);
+    let bytes = ByteSet::of(text);
     SIDES.iter().find(|(form, term, _)| contains_term(text, &bytes, term, *form)).map(|(.., side)| *side)
 }
 
 /// The set of bytes of a text: a term with a byte that is not in it need not be searched for.
-struct Bytes([u64; 4]);
+struct ByteSet([u64; 4]);
 
-impl Bytes {
+impl ByteSet {
     fn of(text: &str) -> Self {
         let mut bytes = Self([0; 4]);
         for byte in text.bytes() {
@@ -235,37 +238,37 @@ impl Bytes {
 }
 
 /// Whether a comment contains one of some terms.
-pub fn names_any(text: &str, terms: &[(Form, &str)]) -> bool {
-    let bytes = Bytes::of(text);
+pub fn names_any(text: &str, terms: &[(MatchKind, &str)]) -> bool {
+    let bytes = ByteSet::of(text);
     terms.iter().any(|(form, term)| contains_term(text, &bytes, term, *form))
 }
 
 /// The text before and after the first of some terms in a comment.
-pub fn first<'a>(text: &'a str, terms: &[(Form, &'a str)]) -> Option<(&'a str, &'a str)> {
-    let bytes = Bytes::of(text);
+pub fn split_at_first<'a>(text: &'a str, terms: &[(MatchKind, &'a str)]) -> Option<(&'a str, &'a str)> {
+    let bytes = ByteSet::of(text);
     let found = terms.iter().flat_map(|(form, term)| places(text, &bytes, term, *form));
-    found.map(|(before, _, behind)| (before, behind)).min_by_key(|(before, _)| before.len())
+    found.map(|(before, _, after)| (before, after)).min_by_key(|(before, _)| before.len())
 }
 
 /// Whether a comment with these bytes contains a term.
-fn contains_term(text: &str, bytes: &Bytes, term: &str, form: Form) -> bool {
+fn contains_term(text: &str, bytes: &ByteSet, term: &str, form: MatchKind) -> bool {
     places(text, bytes, term, form).next().is_some()
 }
 
 /// The places of a term in a comment with these bytes: the text before it, the term and the text after it.
 fn places<'a>(
     text: &'a str,
-    bytes: &Bytes,
+    bytes: &ByteSet,
     term: &'a str,
-    form: Form,
+    form: MatchKind,
 ) -> impl Iterator<Item = (&'a str, &'a str, &'a str)> + use<'a> {
     let text = if bytes.hold_all_of(term) { text } else { "" };
     let places = text.match_indices(term).map(|(at, term)| (&text[..at], term, &text[at + term.len()..]));
-    places.filter(move |(before, _, behind)| {
+    places.filter(move |(before, _, after)| {
         let before = before.chars().next_back().is_some_and(char::is_alphabetic);
-        let behind = behind.chars().next().is_some_and(char::is_alphabetic);
+        let after = after.chars().next().is_some_and(char::is_alphabetic);
         match form {
-            Word => !before && !behind,
+            Word => !before && !after,
             Stem => !before,
             Part => true,
         }
@@ -273,7 +276,7 @@ fn places<'a>(
 }
 
 /// The tool of the first designation of an insert in a comment.
-pub fn insert(text: &str) -> Option<Tool> {
+pub fn insert_tool(text: &str) -> Option<Tool> {
     let mut words = text.split([' ', ',', ';', ':', '(', '=']).filter(|word| !word.is_empty()).peekable();
     while let Some(word) = words.next() {
         let next = words.peek().copied().unwrap_or_default();
@@ -347,7 +350,7 @@ fn blade(word: &str, next: &str) -> Option<Tool> {
     let leading = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let width = match *name {
         "MGMN" | "MGGN" => number(&size[..leading(size)]).map(|w| if w >= 100.0 { w / 100.0 } else { w }),
-        // Tenths of the width, then the corner.
+        // Two digits for the width in tenths of a millimetre, two for the corner radius.
         "DGN" if leading(size) == 4 => number(&size[..2]).map(|w| w / 10.0),
         "TAG" => size.strip_prefix('N').and_then(|rest| number(&rest[..leading(rest)])),
         "GIQR" | "GIQL" | "MIFR" | "MIFL" => size.split('-').nth(1).and_then(number),

@@ -1,4 +1,4 @@
-use super::terms::{Form, KINDS, SIDES};
+use super::terms::{KINDS, MatchKind, SIDES};
 use super::*;
 
 /// The description in a comment as one line: kind, side, insert, nose radius, width and diameter.
@@ -24,10 +24,10 @@ fn every_term_has_its_meaning() {
         if kind.is_none() || term.contains(' ') {
             continue;
         }
-        if *form == Form::Word {
+        if *form == MatchKind::Word {
             assert_ne!(terms::kind(&format!("{term}QQ")), *kind, "{term}");
         }
-        if *form != Form::Part {
+        if *form != MatchKind::Part {
             assert_ne!(terms::kind(&format!("QQ{term}")), *kind, "{term}");
         }
     }

@@ -75,7 +75,10 @@ export interface SetupDialect {
 export interface SetupLimits {
   /** Maximum nesting of subprograms (0i-D and later). */
   readonly callDepth?: number;
-  /** Maximum blocks of a program whose numbers are compared with each other; ten times as many motions are allowed. */
+  /**
+   * Maximum blocks of a program for the lints that compare its numbers with each other; the maximum number of motions
+   * is ten times this.
+   */
   readonly comparedBlocks?: number;
   /**
    * Maximum steps for work that produces no motion: each block of a contour that is read again (a long one takes
@@ -92,8 +95,8 @@ export interface SetupLimits {
   /** Maximum number of motions. */
   readonly motions?: number;
   /**
-   * Maximum moves of one cycle call, and of the contour it reads. Roughing a bar of 1 m diameter by 0.02 mm takes
-   * half as many; more are probably a misplaced decimal point, and the call is refused.
+   * Maximum moves of one cycle call, and of the contour it reads. Roughing a bar of 1 m diameter in steps of 0.02 mm
+   * takes half of the default; more are probably a misplaced decimal point, and the call is refused.
    */
   readonly movesPerCycle?: number;
   /** Maximum corners of the part. */

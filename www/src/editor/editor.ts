@@ -43,7 +43,7 @@ import { breakpoints, breakpointsOf, toggleBreakpoint } from './breakpoints';
 import { applyFix, areShown, lintDiagnostics } from './lint';
 import { folding, showFoldable } from './folding';
 import { foldAllExcept, initialFolds, unfoldAt } from './initial-folds';
-import { marks, runningLine, showHovered, showMarked, showRunning, showTokens, showUses } from './marks';
+import { marks, runningLineStart, showHovered, showMarked, showRunning, showTokens, showUses } from './marks';
 import { contextEffect, contextOf, programContext } from './context';
 import { docOf, fileOf, fileOfText, lineEndsIn, setOriginEffect, renameEffect, textWithLineEnds } from './file';
 import { Follower } from './follow';
@@ -386,8 +386,8 @@ export class Editor implements TextStore {
   }
 
   /** The start of the line marked as running, also after edits; undefined if no line is marked or it was removed. */
-  get runningLine(): number | undefined {
-    return runningLine(this.#view.state);
+  get runningLineStart(): number | undefined {
+    return runningLineStart(this.#view.state);
   }
 
   /** The block of the current tool position; it is kept visible. */

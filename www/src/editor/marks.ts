@@ -125,6 +125,6 @@ export const marks: Extension = [
 ];
 
 /** The current start of the line that is marked as running, if any. */
-export function runningLine(state: EditorState): number | undefined {
+export function runningLineStart(state: EditorState): number | undefined {
   return state.field(running, false)?.iter().value === null ? undefined : state.field(running, false)?.iter().from;
 }

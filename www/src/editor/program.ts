@@ -290,8 +290,8 @@ export class Program implements TextStore {
   }
 
   /** The start of the line marked as running, also after edits; undefined if no line is marked or it was removed. */
-  get runningLine(): number | undefined {
-    return this.#editor?.runningLine;
+  get runningLineStart(): number | undefined {
+    return this.#editor?.runningLineStart;
   }
 
   /** The block of the current tool position; it is kept visible. */

@@ -36,15 +36,15 @@ class CompareDialog {
   readonly #caption = make('span');
   readonly #text = make('textarea', { rows: 6, spellcheck: false, autocomplete: 'off' });
   readonly #file = make('input', { type: 'file', hidden: true });
-  readonly #open = make('button', { type: 'button', className: 'framed' });
-  readonly #compare = make('button', { type: 'button', className: 'primary' });
-  readonly #own = make('select', { hidden: true });
+  readonly #openButton = make('button', { type: 'button', className: 'framed' });
+  readonly #compareButton = make('button', { type: 'button', className: 'primary' });
+  readonly #savedPrograms = make('select', { hidden: true });
   readonly #status = make('p', { role: 'status', className: 'compared' });
   readonly #result = make('div', { className: 'result', tabIndex: 0, role: 'region' });
   readonly #dialog = new Dialog(
     'compare',
     [make('label', { className: 'other' }, this.#caption, this.#text), this.#file, this.#status, this.#result],
-    [this.#own, this.#open, this.#compare],
+    [this.#savedPrograms, this.#openButton, this.#compareButton],
   );
   #host: PageHost | undefined;
   /** Number of requests (reading a file, comparing); a late answer to an earlier one is dropped. */
@@ -52,7 +52,7 @@ class CompareDialog {
 
   constructor() {
     document.body.append(this.#dialog.element);
-    this.#open.addEventListener('click', () => this.#file.click());
+    this.#openButton.addEventListener('click', () => this.#file.click());
     this.#file.addEventListener('change', () => {
       const [file] = this.#file.files ?? [];
       this.#file.value = '';
@@ -62,7 +62,7 @@ class CompareDialog {
       hint: () => COMMON[this.#language].dropHere,
       onDrop: (file) => void this.#readFile(file),
     });
-    this.#compare.addEventListener('click', () => void this.#readInput().then((other) => this.show(other)));
+    this.#compareButton.addEventListener('click', () => void this.#readInput().then((other) => this.show(other)));
     this.#dialog.element.addEventListener('close', () => this.#requestCount++);
   }
 
@@ -77,11 +77,11 @@ class CompareDialog {
     this.#dialog.about = texts.about;
     this.#caption.textContent = texts.other;
     this.#text.placeholder = texts.hint;
-    this.#compare.textContent = texts.compare;
-    this.#open.textContent = texts.openFile;
+    this.#compareButton.textContent = texts.compare;
+    this.#openButton.textContent = texts.openFile;
     this.#result.setAttribute('aria-label', texts.result);
-    this.#own.setAttribute('aria-label', texts.own);
-    void fillOwnPrograms(this.#own, host, host.language, (other) => void this.show(other));
+    this.#savedPrograms.setAttribute('aria-label', texts.own);
+    void fillOwnPrograms(this.#savedPrograms, host, host.language, (other) => void this.show(other));
     this.#showOutcome('', undefined);
     this.#dialog.show();
     this.#text.focus();

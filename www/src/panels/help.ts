@@ -75,7 +75,7 @@ const WORDS = words({
     codes: 'Supported codes',
     shortcuts: [
       ['Ctrl Enter', 'play or pause'],
-      ['Ctrl Shift Enter', 'start at the block of the cursor'],
+      ['Ctrl Shift Enter', 'start at the block at the cursor'],
       ['F10  Ctrl F10', 'play the block at the cursor; play on to it'],
       ['Ctrl F8', 'stop before the line of the cursor, or no longer (a click on its number)'],
       ['F9  Shift F9', 'next or previous motion'],

@@ -26,11 +26,13 @@ import { ReadoutBoard } from './readout';
 import { SpeedChoice } from './speed-choice';
 
 const STEP_UNITS: readonly StepUnit[] = ['motion', 'block', 'pass'];
-/** A longer interval between two frames, s, is limited to this: the page was hidden, or the computer slept. */
+/** The keys of a step forward; Shift reverses the direction. */
+const STEP_KEYS: Record<StepUnit, string> = { motion: 'F9', block: 'Ctrl F9', pass: 'Alt F9' };
+/** Maximum time between two frames that is played, seconds; exceeded if the page was hidden or the computer slept. */
 const MAX_FRAME_S = 0.5;
 
-/** Where one take stops, in addition to stops and breakpoints: at the end of its block, or before a line (from 0). */
-interface StopCondition {
+/** Where one run of the playback pauses, besides stops and breakpoints: after its block, or before a line (from 0). */
+interface ExtraPause {
   readonly block?: true;
   readonly line?: number;
 }
@@ -106,18 +108,20 @@ class Playback implements Panel {
   /** Start of the block that is marked as running. */
   #runningBlock: number | undefined;
   #toolPlace: Readout | undefined;
-  /** `#frame`: the next animation frame; `#isAsking`: an answer about the tool is pending. */
+  /** The requested animation frame; undefined while paused. */
   #frame: number | undefined;
+  /** Whether an answer about the tool is pending. */
   #isAsking = false;
   #lastFrame: number | undefined;
   /** Seconds since the last question. */
   #elapsed = 0;
   #startFrom: 'here' | 'start' = 'here';
-  /** Number of the take: an answer to an earlier take is ignored. */
+  /** Number of the current playback run; answers to an earlier run are ignored. */
   #playId = 0;
-  #stopCondition: StopCondition = {};
-  /** Number of changes of text and setup; `#pathRevision` is the change that the current path belongs to. */
+  #extraPause: ExtraPause = {};
+  /** Number of changes of text and setup. */
   #revision = 0;
+  /** The revision that the current path belongs to. */
   #pathRevision = -1;
   #pendingAction: PendingAction | undefined;
   #heldBy: HeldBy = 'nothing';
@@ -139,7 +143,7 @@ class Playback implements Panel {
   constructor(shell: Shell) {
     this.#shell = shell;
     this.#row = shell.region('playback');
-    this.#seek = shell.newest('seek', (place) => this.#showTool(place));
+    this.#seek = shell.newest('seek', (place) => this.#setTool(place));
     this.#readout = new ReadoutBoard(shell.language);
     this.#speed = new SpeedChoice(shell, () => this.#showPace());
     this.#stepUnit.append(...STEP_UNITS.map((unit) => make('option', { value: unit })));
@@ -184,21 +188,19 @@ class Playback implements Panel {
     this.#singleBlockToggle.addEventListener('click', () => {
       this.#singleBlockToggle.setAttribute('aria-pressed', String(!this.#isSingle));
     });
-    this.#showPlace(undefined);
+    this.#renderReadout(undefined);
   }
 
   get commands(): readonly UserCommand[] {
     const texts = this.#words;
-    const step = (unit: StepUnit, keys: string): readonly UserCommand[] => [
-      { name: texts.next[unit], keys, run: () => this.#stepTool(unit, 'next') },
-      { name: texts.previous[unit], keys: `Shift ${keys}`, run: () => this.#stepTool(unit, 'previous') },
+    const stepsBy = (unit: StepUnit): readonly UserCommand[] => [
+      { name: texts.next[unit], keys: STEP_KEYS[unit], run: () => this.#stepTool(unit, 'next') },
+      { name: texts.previous[unit], keys: `Shift ${STEP_KEYS[unit]}`, run: () => this.#stepTool(unit, 'previous') },
     ];
     return [
       { name: this.#playing ? texts.pause : texts.play, keys: 'Ctrl Enter', run: () => this.#togglePlayback() },
       { name: texts.fromHere, keys: 'Ctrl Shift Enter', run: () => this.#playFromHere({}) },
-      ...step('motion', 'F9'),
-      ...step('block', 'Ctrl F9'),
-      ...step('pass', 'Alt F9'),
+      ...STEP_UNITS.flatMap(stepsBy),
       { name: texts.wholePath, run: () => this.#showWholePath() },
     ];
   }
@@ -229,13 +231,13 @@ class Playback implements Panel {
     if (event.kind !== 'report') return;
     const { stage, summary, units } = event.report;
     this.#lengthUnit = this.#readout.unit = units.shown;
-    // The path was shown before, and the user may be playing it.
+    // Not for stage `part`: its path was reported before, and the user may be playing it.
     if (stage === 'whole' || stage === 'path') {
-      const line = this.#toolPlace === undefined ? undefined : this.#shell.editor.runningLine;
+      const lineStart = this.#toolPlace === undefined ? undefined : this.#shell.editor.runningLineStart;
       this.#onNewPath(summary.motions, summary.optionalStops);
-      void this.#onPathReady(line);
+      void this.#onPathReady(lineStart);
     } else if (stage === 'repeated' && this.#toolPlace !== undefined) {
-      void this.#shell.ask('readout', undefined).then((place) => this.#showTool(place));
+      void this.#shell.ask('readout', undefined).then((place) => this.#setTool(place));
     }
   }
 
@@ -264,7 +266,7 @@ class Playback implements Panel {
   onWorkerLost(): void {
     this.#stop();
     this.#onNewPath(0, 0);
-    this.#showPlace(undefined);
+    this.#renderReadout(undefined);
   }
 
   onDisconnected(): void {
@@ -289,14 +291,15 @@ class Playback implements Panel {
   }
 
   /**
-   * After an edit, returns the tool to the block that it was in, also if the next edit comes before the answer. Then
-   * carries out the pending action of the user.
+   * After an edit, returns the tool to the block that it was in, even if another edit arrives before the answer: the
+   * mark in the editor keeps the position. Then carries out the pending action of the user. `lineStart`: offset in the
+   * text.
    */
-  async #onPathReady(line: number | undefined): Promise<void> {
+  async #onPathReady(lineStart: number | undefined): Promise<void> {
     const revision = this.#revision;
-    const place = line === undefined ? undefined : await this.#shell.ask('seek-block', { offset: line });
+    const place = lineStart === undefined ? undefined : await this.#shell.ask('seek-block', { offset: lineStart });
     if (revision !== this.#revision) return;
-    this.#showTool(place);
+    this.#setTool(place);
     this.#pathRevision = revision;
     const pendingAction = this.#pendingAction;
     this.#pendingAction = undefined;
@@ -312,18 +315,18 @@ class Playback implements Panel {
     this.#showState();
   }
 
-  /** Shows the tool position. */
-  #showPlace(place: Readout | undefined, heldBy: HeldBy = 'nothing'): void {
-    this.#toolPlace = place;
+  /** Shows a readout in this panel. */
+  #renderReadout(readout: Readout | undefined, heldBy: HeldBy = 'nothing'): void {
+    this.#toolPlace = readout;
     this.#heldBy = heldBy;
     // While the user drags the slider, an answer to an earlier position must not move it.
-    if (!this.#slider.matches(':active')) this.#slider.value = String(place?.share ?? 0);
-    this.#readout.shown = place;
-    this.#overPicture.hidden = place === undefined;
+    if (!this.#slider.matches(':active')) this.#slider.value = String(readout?.share ?? 0);
+    this.#readout.shown = readout;
+    this.#overPicture.hidden = readout === undefined;
     this.#showStatus();
     // During playback the announcements would never end.
     if (this.#playing) return;
-    const stroke = place?.stroke;
+    const stroke = readout?.stroke;
     const spoken =
       stroke === undefined
         ? '–'
@@ -349,13 +352,13 @@ class Playback implements Panel {
     else this.#startWhenReady({});
   }
 
-  #startWhenReady(stopCondition: StopCondition): void {
-    if (!this.#playing) this.#whenPathReady({ startsPlayback: true, act: () => this.#startNow(stopCondition) });
+  #startWhenReady(extraPause: ExtraPause): void {
+    if (!this.#playing) this.#whenPathReady({ startsPlayback: true, act: () => this.#startNow(extraPause) });
   }
 
-  #startNow(stopCondition: StopCondition): void {
+  #startNow(extraPause: ExtraPause): void {
     if (this.#playing || this.#play.disabled) return;
-    this.#stopCondition = stopCondition;
+    this.#extraPause = extraPause;
     this.#startFrom = this.#toolPlace === undefined || this.#toolPlace.share >= 1 ? 'start' : 'here';
     this.#lastFrame = undefined;
     this.#elapsed = 0;
@@ -367,12 +370,12 @@ class Playback implements Panel {
   }
 
   /** Plays from the block at the cursor; with `block`, only that block. */
-  #playFromHere(stopCondition: { readonly block?: true }): void {
+  #playFromHere(extraPause: { readonly block?: true }): void {
     this.#stop();
     const act = async (): Promise<void> => {
       const place = await this.#shell.ask('seek-block', { offset: this.#shell.editor.cursor });
-      this.#showTool(place);
-      if (place !== undefined) this.#startNow(stopCondition);
+      this.#setTool(place);
+      if (place !== undefined) this.#startNow(extraPause);
     };
     this.#whenPathReady({ startsPlayback: true, act: () => void act() });
   }
@@ -396,7 +399,7 @@ class Playback implements Panel {
       this.#shell.editor.followRunningBlock();
       // Shows the block even if it is the same one as before.
       this.#runningBlock = undefined;
-      void this.#shell.ask('step', { unit, direction }).then((place) => this.#showTool(place));
+      void this.#shell.ask('step', { unit, direction }).then((place) => this.#setTool(place));
     };
     this.#whenPathReady({ startsPlayback: false, act });
   }
@@ -404,12 +407,12 @@ class Playback implements Panel {
   async #moveTool(answer: Promise<Readout | undefined>): Promise<void> {
     this.#stop();
     this.#shell.editor.followRunningBlock();
-    this.#showTool(await answer);
+    this.#setTool(await answer);
   }
 
   #showWholePath(): void {
     this.#stop();
-    this.#showPlace(undefined);
+    this.#renderReadout(undefined);
     this.#seek.ask({ share: undefined });
     this.#play.focus({ preventScroll: true });
   }
@@ -430,7 +433,7 @@ class Playback implements Panel {
       this.#isAsking = false;
       const { place, heldBy } = played ?? { place: undefined, heldBy: 'nothing' };
       if (heldBy !== 'nothing' || place === undefined || place.share >= 1) this.#stop();
-      this.#showPlace(place, heldBy);
+      this.#renderReadout(place, heldBy);
     });
   };
 
@@ -448,7 +451,7 @@ class Playback implements Panel {
   }
 
   get #pauseConditions(): PauseConditions {
-    const { block, line } = this.#stopCondition;
+    const { block, line } = this.#extraPause;
     const marked = this.#shell.editor.breakpoints;
     const lines = line === undefined || marked.includes(line) ? marked : [...marked, line].sort((a, b) => a - b);
     return { stops: this.#stops, eachBlock: this.#isSingle || block === true, lines };
@@ -458,10 +461,11 @@ class Playback implements Panel {
     return this.#singleBlockToggle.getAttribute('aria-pressed') === 'true';
   }
 
-  #showTool(place: Readout | undefined): void {
-    this.#showPlace(place);
-    this.#shell.notifyToolMoved(place);
-    this.#markRunning(place);
+  /** Shows a readout in this panel, in the other panels and in the text. */
+  #setTool(readout: Readout | undefined): void {
+    this.#renderReadout(readout);
+    this.#shell.notifyToolMoved(readout);
+    this.#markRunning(readout);
   }
 
   /** Marks the block that runs, or that stops the tool. */
@@ -492,7 +496,7 @@ class Playback implements Panel {
     this.#playId++;
     this.#shell.notifyPlaying('paused');
     this.#showState();
-    this.#showPlace(this.#toolPlace);
+    this.#renderReadout(this.#toolPlace);
   }
 
   get #stops(): StopSwitch {
@@ -520,7 +524,7 @@ class Playback implements Panel {
   }
 
   #nameStepButtons(): void {
-    const key = { motion: 'F9', block: 'Ctrl F9', pass: 'Alt F9' }[this.#chosenUnit];
+    const key = STEP_KEYS[this.#chosenUnit];
     const texts = this.#words;
     for (const { previous, next } of this.#buttonSets) {
       setAccessibleName(previous, `${texts.previous[this.#chosenUnit]} (Shift ${key})`);
@@ -532,7 +536,7 @@ class Playback implements Panel {
     const { stroke, stop } = this.#toolPlace ?? {};
     let text = '';
     const atLine = this.#heldBy === 'line' && stroke !== undefined ? stroke.line : undefined;
-    if (atLine !== undefined) text = this.#words.heldAt(atLine);
+    if (atLine !== undefined) text = this.#words.pausedAt(atLine);
     else if (stop !== undefined) text = this.#words.stopped(stop.code, stop.line);
     else if (stroke !== undefined) text = `${COMMON[this.#shell.language].line(stroke.line)}: ${stroke.text}`;
     if (text === this.#shownStatus) return;
@@ -560,13 +564,13 @@ const WORDS = words({
     positionText: (x: string, z: string) => `X diameter ${x}, Z ${z}`,
     previous: { motion: 'Previous motion', block: 'Previous block', pass: 'Previous pass' },
     next: { motion: 'Next motion', block: 'Next block', pass: 'Next pass' },
-    fromHere: 'Start at the block of the cursor',
+    fromHere: 'Start at the block at the cursor',
     stepBy: 'Step by',
     units: { motion: 'motion', block: 'block', pass: 'pass' },
     optionalStops: 'Optional stop',
     optionalStopsHint: 'When on, the playback stops at M01 too',
-    stopped: (code: string, line: number) => `${code} in line ${line}: the program stops here. Play goes on.`,
-    heldAt: (line: number) => `Held before line ${line}. Play goes on.`,
+    stopped: (code: string, line: number) => `${code} in line ${line}: the program stops here. Press Play to continue.`,
+    pausedAt: (line: number) => `Paused before line ${line}. Press Play to continue.`,
     single: 'SBK',
     singleName: 'Single block',
     singleHint: 'Single block: when on, the playback stops after each block that moves the tool',
@@ -589,7 +593,7 @@ const WORDS = words({
     optionalStops: '选择停止',
     optionalStopsHint: '打开后，播放到 M01 时也停下',
     stopped: (code, line) => `第 ${line} 行 ${code}：程序在此停止，按“播放”继续。`,
-    heldAt: (line) => `停在第 ${line} 行之前，按“播放”继续。`,
+    pausedAt: (line) => `停在第 ${line} 行之前，按“播放”继续。`,
     single: '单段',
     singleName: '单程序段',
     singleHint: '单程序段：打开后，每执行完一个移动刀具的程序段就停下',
@@ -612,7 +616,7 @@ const WORDS = words({
     optionalStops: 'Останов по выбору',
     optionalStopsHint: 'Если включено, показ останавливается и на M01',
     stopped: (code, line) => `${code} в строке ${line}: здесь программа останавливается. «Пуск» — дальше.`,
-    heldAt: (line) => `Пауза перед строкой ${line}. «Пуск» — дальше.`,
+    pausedAt: (line) => `Пауза перед строкой ${line}. «Пуск» — дальше.`,
     single: 'SBK',
     singleName: 'Покадровая отработка',
     singleHint: 'Покадровая отработка: показ останавливается после каждого кадра с перемещением',

@@ -213,7 +213,7 @@ impl Report {
                 found.map(|one| self.text(name, places, one)).collect::<String>().into_bytes()
             }
             ReportFormat::Concise => {
-                let notes = subject.findings.iter().filter(|one| matches!(one.what, What::AssumedStock(..)));
+                let notes = subject.findings.iter().filter(|one| matches!(one.what, What::InferredStock(..)));
                 let notes = notes.map(|one| self.text(name, places, one));
                 notes.fold(concise::lines(name, rows()), |lines, note| lines + &note).into_bytes()
             }
@@ -242,10 +242,10 @@ impl Report {
             What::Remark(Remark { place: (line, column), message, .. }) => {
                 terminal::masked(&format!("{name}:{line}:{column}: {message}\n"))
             }
-            What::AssumedStock(None, stock) if self.wanted.is_lone && !self.wanted.quiet => {
+            What::InferredStock(None, stock) if self.wanted.is_lone && !self.wanted.quiet => {
                 terminal::masked(&format!("{name}: {}\n", stock.message))
             }
-            What::AssumedStock(..) => String::new(),
+            What::InferredStock(..) => String::new(),
         }
     }
 
@@ -260,9 +260,9 @@ impl Report {
                 let row = ElementNote { note: slug, message: message.clone() };
                 write_row(out, &InFile { file, row: InManual { line: *line, column: *column, row } })
             }
-            What::AssumedStock(..) if self.wanted.quiet => Ok(()),
-            What::AssumedStock(None, row) => write_row(out, &InFile { file, row }),
-            What::AssumedStock(Some((line, column)), row) => {
+            What::InferredStock(..) if self.wanted.quiet => Ok(()),
+            What::InferredStock(None, row) => write_row(out, &InFile { file, row }),
+            What::InferredStock(Some((line, column)), row) => {
                 write_row(out, &InFile { file, row: InManual { line: *line, column: *column, row } })
             }
         }
