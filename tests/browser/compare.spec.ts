@@ -70,6 +70,16 @@ test('a link contains the other version, and loads the macros that only it needs
   await expect(dialog(page)).toContainText('end point: X48 Z2 → X50 Z2');
 });
 
+test('a link that cannot be read reports why', async ({ page }) => {
+  await open(page);
+  await type(page, PROGRAM);
+  await openDialog(page);
+  await compareWith(page, 'https://playground.example/#programs=O1');
+  await expect(dialog(page).getByRole('status')).toHaveText('This address names no example, and holds no program.');
+  await compareWith(page, OTHER);
+  await expect(dialog(page).getByRole('status')).toContainText('Text and motion differ');
+});
+
 test('a stored program is chosen from a list', async ({ page }) => {
   await open(page);
   await type(page, OTHER);

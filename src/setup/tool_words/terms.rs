@@ -51,7 +51,7 @@ pub const KINDS: &[(MatchKind, &str, Option<ToolKind>)] = &[
     (Stem, "BROCA", Some(Drill)), (Stem, "FURAC", Some(Drill)), (Stem, "FURAÇ", Some(Drill)), (Stem, "FURAA", Some(Drill)),
     (Stem, "FURAR", Some(Drill)), (Word, "FURO", Some(Drill)), (Word, "FÚRÓ", Some(Drill)), (Word, "DR", Some(Drill)), (Stem, "TALADR", Some(Drill)), (Stem, "PUNTA", Some(Drill)), (Stem, "FORATURA", Some(Drill)),
     (Stem, "FORET", Some(Drill)), (Stem, "PERÇ", Some(Drill)), (Stem, "PERCAGE", Some(Drill)), (Stem, "СВЕРЛ", Some(Drill)),
-    (Stem, "ЦЕНТРОВ", Some(Drill)), (Stem, "РАЗВЕРТ", Some(Drill)), (Part, "钻", Some(Drill)), (Part, "鑽", Some(Drill)), (Part, "钻孔", Some(Drill)),
+    (Stem, "ЦЕНТРОВ", Some(Drill)), (Stem, "РАЗВЕРТ", Some(Drill)), (Part, "钻", Some(Drill)), (Part, "鑽", Some(Drill)),
     // Grooving inserts.
     (Part, "GROOV", Some(Grooving)), (Part, "STECHSTAHL", Some(Grooving)), (Part, "STECHST.", Some(Grooving)), (Stem, "PRZECIN", Some(Grooving)),
     (Stem, "ROWEK", Some(Grooving)), (Stem, "KANAVK", Some(Grooving)), (Stem, "OTREZ", Some(Grooving)), (Stem, "SAIGN", Some(Grooving)),
@@ -60,7 +60,7 @@ pub const KINDS: &[(MatchKind, &str, Option<ToolKind>)] = &[
     (Stem, "PARTOFF", Some(Grooving)), (Part, "STECHEN", Some(Grooving)), (Part, "STECHER", Some(Grooving)), (Part, "STECHMEI", Some(Grooving)),
     (Part, "STECHDREH", Some(Grooving)), (Part, "ABSTECH", Some(Grooving)), (Part, "EINSTICH", Some(Grooving)), (Part, "NUTDREH", Some(Grooving)),
     (Stem, "RANURA", Some(Grooving)), (Stem, "TRONZA", Some(Grooving)), (Stem, "BEDAM", Some(Grooving)), (Stem, "SANGRA", Some(Grooving)),
-    (Stem, "CANAL", Some(Grooving)), (Stem, "CANALET", Some(Grooving)), (Stem, "GOLA", Some(Grooving)), (Stem, "GOLE", Some(Grooving)),
+    (Stem, "CANAL", Some(Grooving)), (Stem, "GOLA", Some(Grooving)), (Stem, "GOLE", Some(Grooving)),
     (Stem, "SCANAL", Some(Grooving)), (Stem, "TRONCA", Some(Grooving)), (Stem, "TRONCON", Some(Grooving)), (Stem, "TRONÇON", Some(Grooving)),
     (Stem, "GORGE", Some(Grooving)), (Stem, "RAINUR", Some(Grooving)), (Stem, "КАНАВ", Some(Grooving)), (Stem, "ОТРЕЗ", Some(Grooving)),
     (Stem, "ПРОРЕЗ", Some(Grooving)), (Part, "切槽", Some(Grooving)), (Part, "割槽", Some(Grooving)), (Part, "槽刀", Some(Grooving)),
@@ -145,7 +145,7 @@ pub const SIDES: &[(MatchKind, &str, Side)] = &[
     (Part, "INNEN", Side::Inside), (Stem, "ВНУТР", Side::Inside), (Part, "内", Side::Inside), (Part, "內", Side::Inside),
     (Word, "OD", Side::Outside), (Word, "O.D", Side::Outside), (Stem, "OUTSIDE", Side::Outside), (Stem, "EXTERN", Side::Outside),
     (Stem, "EXTERIOR", Side::Outside), (Stem, "EXTÉRIEUR", Side::Outside), (Stem, "EXTERIEUR", Side::Outside), (Stem, "ESTERN", Side::Outside), (Word, "EXT", Side::Outside),
-    (Part, "AUSSEN", Side::Outside), (Part, "AUßEN", Side::Outside), (Stem, "НАРУЖ", Side::Outside), (Part, "外", Side::Outside),
+    (Part, "AUSSEN", Side::Outside), (Stem, "НАРУЖ", Side::Outside), (Part, "外", Side::Outside),
 ];
 
 /// Prefixes of designations of grooving inserts, and their side of the workpiece.

@@ -36,6 +36,36 @@ fn every_term_has_its_meaning() {
     }
 }
 
+/// Whether every comment that matches a term also matches an earlier one.
+fn is_shadowed((kind, term): (MatchKind, &str), (earlier_kind, earlier): (MatchKind, &str)) -> bool {
+    let is_letter = |letter: Option<char>| letter.is_some_and(char::is_alphabetic);
+    term.match_indices(earlier).any(|(at, _)| {
+        let (before, after) = (&term[..at], &term[at + earlier.len()..]);
+        let begins =
+            !is_letter(before.chars().next_back()) && !(before.is_empty() && kind == MatchKind::Part);
+        let ends = !is_letter(after.chars().next()) && !(after.is_empty() && kind != MatchKind::Word);
+        match earlier_kind {
+            MatchKind::Word => begins && ends,
+            MatchKind::Stem => begins,
+            MatchKind::Part => true,
+        }
+    })
+}
+
+#[test]
+fn every_term_can_match() {
+    let kinds: Vec<_> = KINDS.iter().map(|(kind, term, _)| (*kind, *term)).collect();
+    let sides: Vec<_> = SIDES.iter().map(|(kind, term, _)| (*kind, *term)).collect();
+    for terms in [kinds, sides] {
+        for (index, &entry) in terms.iter().enumerate() {
+            // Comments are in capitals.
+            assert_eq!(capitals::in_capitals(entry.1), entry.1);
+            let shadow = terms[..index].iter().find(|&&earlier| is_shadowed(entry, earlier));
+            assert_eq!(shadow, None, "{entry:?}");
+        }
+    }
+}
+
 #[test]
 fn nine_languages() {
     for (comment, expected) in [

@@ -17,6 +17,7 @@ import { renderResult } from './compare-result';
 import { COMPARE_WORDS } from './compare-words';
 import { parseAddress } from './linked';
 import type { PageHost } from './page-host';
+import { FAULTS } from './share-words';
 
 let dialog: CompareDialog | undefined;
 
@@ -47,7 +48,7 @@ class CompareDialog {
     [this.#savedPrograms, this.#openButton, this.#compareButton],
   );
   #host: PageHost | undefined;
-  /** Number of requests (reading a file, comparing); a late answer to an earlier one is dropped. */
+  /** Number of requests (reading a link or a file, comparing); a late answer to an earlier one is dropped. */
   #requestCount = 0;
 
   constructor() {
@@ -62,7 +63,7 @@ class CompareDialog {
       hint: () => COMMON[this.#language].dropHere,
       onDrop: (file) => void this.#readFile(file),
     });
-    this.#compareButton.addEventListener('click', () => void this.#readInput().then((other) => this.show(other)));
+    this.#compareButton.addEventListener('click', () => void this.#compareInput());
     this.#dialog.element.addEventListener('close', () => this.#requestCount++);
   }
 
@@ -92,11 +93,11 @@ class CompareDialog {
     const host = this.#host;
     if (host === undefined) return;
     const texts = COMPARE_WORDS[host.language];
+    const request = ++this.#requestCount;
     if (other.text.trim() === '') {
       this.#showOutcome(texts.nothing, undefined);
       return;
     }
-    const request = ++this.#requestCount;
     this.#showOutcome(texts.comparing, undefined);
     const names = [
       other.name,
@@ -116,16 +117,20 @@ class CompareDialog {
     );
   }
 
-  /** The content of the text field: a program, or a link that contains one. */
-  async #readInput(): Promise<OtherProgram> {
+  /** Compares with the content of the text field: a program, or a link that contains one. */
+  async #compareInput(): Promise<void> {
+    const request = ++this.#requestCount;
     const text = this.#text.value;
-    const { otherVersion } = COMPARE_WORDS[this.#language];
+    const texts = COMPARE_WORDS[this.#language];
     const address = text.trim();
-    if (/^https?:\/\/\S+$/.test(address) && URL.canParse(address)) {
-      const found = await parseAddress(new URL(address).hash);
-      return { name: otherVersion, text: found.kind === 'linked' ? found.linked.text : '' };
+    if (!/^https?:\/\/\S+$/.test(address) || !URL.canParse(address)) {
+      await this.show({ name: texts.otherVersion, text });
+      return;
     }
-    return { name: otherVersion, text };
+    const found = await parseAddress(new URL(address).hash);
+    if (request !== this.#requestCount) return;
+    if (found.kind === 'fault') this.#showOutcome(FAULTS[this.#language](found.fault), undefined);
+    else await this.show({ name: texts.otherVersion, text: found.kind === 'linked' ? found.linked.text : '' });
   }
 
   async #readFile(file: File): Promise<void> {
@@ -133,9 +138,12 @@ class CompareDialog {
     const texts = COMPARE_WORDS[this.#language];
     this.#showOutcome(texts.comparing, undefined);
     const module = await importWithRetry(() => import('../editor/read-program')).catch(() => undefined);
-    if (module === undefined) return this.#showOutcome(texts.failed, undefined);
-    const opened = await module.readProgram(file);
+    const opened = await module?.readProgram(file);
     if (request !== this.#requestCount) return;
+    if (opened === undefined) {
+      this.#showOutcome(texts.failed, undefined);
+      return;
+    }
     if (opened.kind !== 'text') {
       this.#showOutcome(
         opened.kind === 'too-large' ? texts.tooLarge(opened.name) : texts.unreadable(opened.name),
