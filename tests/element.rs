@@ -23,7 +23,8 @@ const MANIFEST: &str = "www/embed/custom-elements.json";
 
 /// Public members of the class that are not part of its interface: calls of the browser, of other elements, and
 /// of the page of the playground.
-const INTERNAL: [&str; 8] = [
+const INTERNAL: [&str; 9] = [
+    "ask",
     "attributeChangedCallback",
     "commands",
     "connectedCallback",

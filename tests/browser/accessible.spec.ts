@@ -77,6 +77,8 @@ const OPENERS: Readonly<Record<string, (page: ChromiumPage) => Promise<void>>> =
   'cycles written out': item('more', /^(Expand cycles|展开循环|Развернуть циклы)$/),
   rewriting: item('more', /^(Write as a cycle|写成循环|Записать циклом)…$/),
   motions: item('more', /^(Motions|动作|Перемещения)$/),
+  exercises: item('program', /^(Exercises|练习|Упражнения)…$/),
+  'make exercise': item('share', /^(Exercise that checks the part|检查零件的练习|Упражнение с проверкой детали)…$/),
   time: item('more', /^(Time and totals|时间与合计|Время и итоги)/),
   keys: item('help', /^(Keys and gestures|按键与手势|Клавиши и жесты)$/),
   codes: item('help', /^(Supported codes|支持的代码|Поддерживаемые коды)$/),

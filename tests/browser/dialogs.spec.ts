@@ -25,9 +25,11 @@ const fromMenu = (menu: Parameters<typeof choose>[1], item: string | RegExp, nam
 const DIALOGS: readonly Opened[] = [
   fromMenu('program', 'New…', 'New program'),
   fromMenu('program', 'Gallery…', 'Gallery'),
+  fromMenu('program', 'Exercises…', 'Exercises'),
   fromMenu('program', 'My programs…', 'My programs'),
   fromMenu('program', 'Programs in a text…', 'Programs in this text'),
   fromMenu('share', 'Link, task, QR code…', 'Share'),
+  fromMenu('share', 'Exercise that checks the part…', 'Exercise that checks the part'),
   fromMenu('help', 'Keys and gestures', 'Keys and gestures'),
   fromMenu('help', 'Supported codes', 'Supported codes'),
   fromMenu('more', 'Compare with another version…', 'Compare with another version'),

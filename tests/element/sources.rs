@@ -75,6 +75,8 @@ pub fn members() -> BTreeSet<String> {
                 .iter()
                 .fold(line, |line, word| line.strip_prefix(word).unwrap_or(line));
             let Some((name, _)) = line.split_once('(') else { continue };
+            // Without type parameters.
+            let name = name.split('<').next().unwrap_or_default();
             if !name.is_empty() && name.chars().all(char::is_alphanumeric) {
                 found.insert(name.to_owned());
             }

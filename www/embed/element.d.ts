@@ -1,16 +1,7 @@
-import type {
-  AnswerReport,
-  Diagnostic,
-  ExerciseBlocks,
-  FileFormat,
-  ProgramDifference,
-  Readout,
-  Stroke,
-  Summary,
-} from './node/gcode_playground.js';
+import type { Diagnostic, FileFormat, ProgramDifference, Readout, Stroke, Summary } from './node/gcode_playground.js';
 import type { Setup } from './node/setup.js';
 
-export type { AnswerReport, Diagnostic, ExerciseBlocks, FileFormat, ProgramDifference, Readout, Stroke, Summary };
+export type { Diagnostic, FileFormat, ProgramDifference, Readout, Stroke, Summary };
 export type {
   Setup,
   SetupDialect,
@@ -174,13 +165,6 @@ export class GcodePlayground extends HTMLElement {
     readonly text: string;
     readonly names: readonly [string, string];
   }): Promise<{ readonly rows: ProgramDifference; readonly drawing: string } | undefined>;
-  /** The blocks `setup` and `target` of an exercise whose part the program makes; undefined if the program has changed. */
-  exerciseBlocks(): Promise<ExerciseBlocks | undefined>;
-  /**
-   * The report on a program as an answer to an exercise; `exercise` is the text of its file. The program of the element
-   * stays.
-   */
-  gradeAnswer(exercise: string, answer: string): Promise<AnswerReport | undefined>;
   /** The complete setup that the program is run with, JSON; undefined if it is invalid. */
   readonly wholeSetup: string | undefined;
   /** The drawing, or the picture as it is shown. */

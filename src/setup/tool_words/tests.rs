@@ -41,9 +41,10 @@ fn is_shadowed((kind, term): (MatchKind, &str), (earlier_kind, earlier): (MatchK
     let is_letter = |letter: Option<char>| letter.is_some_and(char::is_alphabetic);
     term.match_indices(earlier).any(|(at, _)| {
         let (before, after) = (&term[..at], &term[at + earlier.len()..]);
-        let begins =
-            !is_letter(before.chars().next_back()) && !(before.is_empty() && kind == MatchKind::Part);
-        let ends = !is_letter(after.chars().next()) && !(after.is_empty() && kind != MatchKind::Word);
+        let goes_before = is_letter(before.chars().next_back());
+        let begins = !goes_before && (!before.is_empty() || kind != MatchKind::Part);
+        let goes_on = is_letter(after.chars().next());
+        let ends = !goes_on && (!after.is_empty() || kind == MatchKind::Word);
         match earlier_kind {
             MatchKind::Word => begins && ends,
             MatchKind::Stem => begins,

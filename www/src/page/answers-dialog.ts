@@ -176,7 +176,7 @@ class AnswersDialog {
       this.#status.textContent = isTooMany ? texts.tooMany(MAX_ANSWERS) : texts.none;
       return false;
     }
-    this.#grader ??= new AnswerGrader((exercise, answer) => host.playground.gradeAnswer(exercise, answer));
+    this.#grader ??= new AnswerGrader((text, answer) => host.playground.ask('grade-answer', { text, answer }));
     const done: AnswerRow[] = [];
     for (const row of rows) {
       this.#status.textContent = texts.checking(done.length + 1, rows.length);

@@ -106,7 +106,7 @@ class MakeExerciseDialog {
     const { text } = host.program;
     // What the author has entered stays, unless the program has changed.
     if (this.#program !== text) {
-      const made = await host.playground.exerciseBlocks().catch(() => undefined);
+      const made = await host.playground.ask('exercise-blocks', undefined).catch(() => undefined);
       if (made?.kind !== 'blocks') {
         this.#program = undefined;
         this.#blocks.value = '';
@@ -147,7 +147,7 @@ class MakeExerciseDialog {
     const check = ++this.#check;
     const texts = WORDS[host.language];
     const text = this.#text;
-    const found = await host.playground.gradeAnswer(text, this.#program).catch(() => undefined);
+    const found = await host.playground.ask('grade-answer', { text, answer: this.#program }).catch(() => undefined);
     if (check !== this.#check) return;
     if (found === undefined) this.#status.textContent = texts.failed;
     else if (found.kind === 'fault') this.#status.textContent = texts.fault(found.line, found.message);

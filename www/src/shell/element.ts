@@ -11,19 +11,20 @@
 // add to it. `www/docs/element.md` describes the interface; `www/embed/element.d.ts` has its types.
 //
 // Attributes for the page of the playground only, which the user changes: `split`, the program's share of the width in
-// percent; `hints`, the introductory hints that are still to be shown; `labels`, names on the picture. Methods for tests
-// only: `locate`, `locateOnFace`, `locateOnSide`.
+// percent; `hints`, the introductory hints that are still to be shown; `labels`, names on the picture. Its method: `ask`.
+// Methods for tests only: `locate`, `locateOnFace`, `locateOnSide`.
 
 import { make } from '../dom/dom';
 import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encoding-list';
 import type {
-  AnswerReport,
+  Answer,
   Diagnostic,
   DifferenceResult,
-  ExerciseBlocks,
   ExportFormat,
   OtherVersion,
+  QuestionKind,
+  Questions,
   Readout,
   Summary,
 } from '../protocol/protocol';
@@ -274,19 +275,12 @@ export class GcodePlayground extends ElementAttributes {
     return shell.forPanels.ask('difference', other);
   }
 
-  /** The blocks `setup` and `target` of an exercise whose part the program makes; undefined if it has changed. */
-  async exerciseBlocks(): Promise<ExerciseBlocks | undefined> {
+  /** The worker's answer to a question about the current text; undefined if the text has changed meanwhile. */
+  async ask<K extends QuestionKind>(about: K, args: Questions[K]['args']): Promise<Answer<K> | undefined> {
     const shell = this.#shell;
     await shell.complete;
     shell.forPanels.flush();
-    return shell.forPanels.ask('exercise-blocks', undefined);
-  }
-
-  /** The report on a program as an answer to an exercise; `exercise`: the text of its file. */
-  async gradeAnswer(exercise: string, answer: string): Promise<AnswerReport | undefined> {
-    const shell = this.#shell;
-    await shell.complete;
-    return shell.forPanels.ask('grade-answer', { text: exercise, answer });
+    return shell.forPanels.ask(about, args);
   }
 
   /** Ends the comparison that `keepPart` started; one that the user started continues. */
