@@ -80,7 +80,7 @@ impl Clock {
         self.cached.last().copied().unwrap_or_default()
     }
 
-    /// The reading at a position. `motions`: those of [`Clock::new`].
+    /// The reading at a position. `motions`: as passed to [`Clock::new`].
     pub fn at(&self, motions: &Motions, playhead: Playhead) -> Reading {
         let Playhead { motion, share } = playhead;
         if share >= 1.0 {
@@ -104,7 +104,7 @@ impl Clock {
     }
 
     /// The position at a time of the animation, in seconds; between two motions, the end of the first. For a
-    /// program without motions, the end of motion 0, which does not exist. `motions`: those of
+    /// program without motions, the end of motion 0, which does not exist. `motions`: as passed to
     /// [`Clock::new`].
     pub fn playhead_at(&self, motions: &Motions, animation_seconds: f64) -> Playhead {
         if animation_seconds >= self.total().animation_seconds {

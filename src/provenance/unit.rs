@@ -81,7 +81,7 @@ impl UnitHint {
                 self.has_point = true;
                 self.excluded |= value >= most;
             } else if matches!(word.letter, b'X' | b'Z') {
-                // `X10` without a point is 10 mm, or 0.001 inch, which nobody programs.
+                // `X10` without a point is 10 mm, or 0.001 inch, which is too small to be meant.
                 self.excluded |= (x..100.0).contains(&value);
             }
         }

@@ -31,7 +31,7 @@ fn gallery() -> Vec<Program> {
         .collect()
 }
 
-/// The reach of a resolved tool; the angles of inserts are those of a tool maker's table.
+/// The reach of a resolved tool; the angles of inserts are from a tool maker's table.
 fn as_resolved(tool: &Tool, basis: Basis, pitch: f64) -> Reach {
     let up = if tool.side == Some(Side::Inside) { -1.0 } else { 1.0 };
     match tool.kind.expect("a kind") {

@@ -192,7 +192,7 @@ impl Proposer<'_> {
     fn rank_g(&self, code: G) -> usize {
         let spindle_turns = self.state.spindle.turn != SpindleTurn::Stopped;
         match code {
-            // While the spindle stands still, speed codes are the most likely.
+            // While the spindle does not turn, speed codes are the most likely.
             G::SurfaceSpeed | G::ConstantSpeed | G::Setting if !spindle_turns => 0,
             G::Motion(MotionMode::Rapid | MotionMode::Line) => 1,
             G::Motion(MotionMode::Arc(_)) => 2,

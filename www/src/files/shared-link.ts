@@ -52,7 +52,7 @@ export interface Shared {
   readonly answerTo: Task | null;
   /** The exercise that the text is an answer to; then there is no task. */
   readonly exercise: AnsweredExercise | null;
-  /** The text of an exercise file: the exercise to work on, or the one that the text is an answer to. */
+  /** The text of an exercise file: the exercise to work on, or the exercise of an answer. */
   readonly exerciseText: string | null;
   /** Name of the student whose answer to a task or an exercise this is. */
   readonly name: string | null;
@@ -90,7 +90,7 @@ type ParsedLink =
   | { readonly kind: 'shared'; readonly shared: Shared }
   | { readonly kind: 'fault'; readonly fault: LinkFault };
 
-/** The keys of all versions; `answer` only of version 2, those of an exercise only of version 3. */
+/** The keys of all versions; `answer` belongs to version 2, the keys of an exercise to version 3. */
 const KEYS = {
   text: 'p',
   setup: 's',

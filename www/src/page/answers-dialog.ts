@@ -159,7 +159,7 @@ class AnswersDialog {
     if (isAdded) this.#links.value = '';
   }
 
-  /** Adds and grades answers, each shown at once. Returns whether there were any. */
+  /** Adds and grades answers, each shown at once. Returns false if there were none. */
   async #add(read: () => Promise<AnswerRow[]>): Promise<boolean> {
     const host = this.#host;
     if (host === undefined) return false;
