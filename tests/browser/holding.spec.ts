@@ -33,13 +33,13 @@ test('a breakpoint pauses the tool in each pass, and moves with its line', async
   await page.keyboard.press('Control+F8');
   await expect(page.locator('.cm-lineNumbers .cm-breakpoint')).toHaveText('7');
   await page.keyboard.press('Control+Enter');
-  await expect(page.getByText('Held before line 7')).toBeVisible();
+  await expect(page.getByText('Paused before line 7')).toBeVisible();
   expect(await runningLine(page)).toBe('G0 Z[5-#1]');
   const first = await page.locator('.cell.x dd').textContent();
   await page.keyboard.press('Control+Enter');
   // The same line in the second pass, with another X.
   await expect.poll(() => page.locator('.cell.x dd').textContent()).not.toBe(first);
-  await expect(page.getByText('Held before line 7')).toBeVisible();
+  await expect(page.getByText('Paused before line 7')).toBeVisible();
   await page.keyboard.press('Control+Enter');
   await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
   // A line inserted before it moves the breakpoint; a click on the line number removes it.
@@ -74,7 +74,7 @@ test('the block at the cursor is played alone, or the program is played up to it
   expect(await runningLine(page)).toBe('G1 X[40-#1] F1');
   await goTo(page, 10);
   await page.keyboard.press('Control+F10');
-  await expect(page.getByText('Held before line 10')).toBeVisible();
+  await expect(page.getByText('Paused before line 10')).toBeVisible();
   // The pause at the cursor's line is temporary and sets no breakpoint.
   await expect(page.locator('.cm-breakpoint')).toHaveCount(0);
   // The buttons have the same effect.

@@ -21,7 +21,7 @@ const IN_WORDS = {
   en: {
     pace: 'Speed and steps',
     speed: 'Speed',
-    held: 'Held before line 11',
+    held: 'Paused before line 11',
     caller: 'called from line 5',
     next: 'The next time',
     tryIt: 'Try another value for #24 from here on',

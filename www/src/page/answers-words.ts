@@ -83,6 +83,7 @@ export const ANSWERS_WORDS = words({
     summary: (passed, all) => `${all} 份中 ${passed} 份通过。`,
     noName: '无姓名',
     line: (line) => `第 ${line} 行`,
+    problems: (errors, warnings) => `${errors} / ${warnings}`,
     sameAs: (name) => `与${name}的文本相同`,
     otherVersion: '练习版本不同',
     head: {
@@ -137,6 +138,7 @@ export const ANSWERS_WORDS = words({
     summary: (passed, all) => `Выполнено ${passed} из ${all}.`,
     noName: 'без имени',
     line: (line) => `строка ${line}`,
+    problems: (errors, warnings) => `${errors} / ${warnings}`,
     sameAs: (name) => `тот же текст, что у «${name}»`,
     otherVersion: 'другая версия упражнения',
     head: {
