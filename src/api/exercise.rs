@@ -253,15 +253,10 @@ impl AnswerReport {
             version: version_of(text),
             title,
             report: Graded::of_answer(&exercise, answer, language),
-            blocks: blocks_of(answer),
+            blocks: String::from_utf8_lossy(&key_of(answer)).into_owned(),
             id: exercise.id,
         }))
     }
-}
-
-/// The blocks of an answer without blanks, comments and N numbers.
-pub fn blocks_of(answer: &[u8]) -> String {
-    String::from_utf8_lossy(&key_of(answer)).into_owned()
 }
 
 /// The checksum of a text, whatever its line ends are: FNV-1a, 64 bits.

@@ -14,8 +14,8 @@ use super::system::{self, print_error_line};
 use super::terminal::json;
 use super::{NAME, Status, encoding, read, save_apart};
 use crate::api::InFile;
-use crate::api::exercise::{Check, Graded, Size, blocks_of};
-use crate::exercise::Exercise;
+use crate::api::exercise::{Check, Graded, Size};
+use crate::exercise::{Exercise, key_of};
 use crate::sentences::Language;
 use crate::sentences::difference::{Said, clock, said_with};
 use crate::sentences::exercise::{Label, label, no_surface};
@@ -82,7 +82,7 @@ fn exercise(file: &std::path::Path, language: Language) -> Result<Exercise, Stri
 
 /// The reports on all answers that can be read, and whether these are all.
 fn rows(arguments: &Grade, exercise: &Exercise, language: Language) -> (Vec<Row>, bool) {
-    let mut first_with: HashMap<String, String> = HashMap::new();
+    let mut first_with: HashMap<Vec<u8>, String> = HashMap::new();
     let mut rows = Vec::new();
     for file in &arguments.files {
         let (name, text) = match read(file) {
@@ -93,7 +93,7 @@ fn rows(arguments: &Grade, exercise: &Exercise, language: Language) -> (Vec<Row>
             }
         };
         let mut graded = Graded::of_answer(exercise, &text, language);
-        let earlier = first_with.entry(blocks_of(&text)).or_insert_with(|| name.clone());
+        let earlier = first_with.entry(key_of(&text)).or_insert_with(|| name.clone());
         graded.same_text_as = (*earlier != name).then(|| earlier.clone());
         rows.push(Row { file: name, graded });
     }

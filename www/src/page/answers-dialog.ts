@@ -11,7 +11,7 @@ import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
 import type { Language } from '../dom/language';
 import { COMMON } from '../dom/words';
-import { EMPTY_SHARED, makeLink } from '../files/shared-link';
+import { EMPTY_SHARED, makeLink, NAME_LIMIT } from '../files/shared-link';
 import {
   AnswerGrader,
   HEAD_KEYS,
@@ -159,7 +159,7 @@ class AnswersDialog {
     if (isAdded) this.#links.value = '';
   }
 
-  /** Adds and grades answers, each shown at once. Returns false if there were none. */
+  /** Adds and grades answers, each shown at once. Returns whether any was added. */
   async #add(read: () => Promise<AnswerRow[]>): Promise<boolean> {
     const host = this.#host;
     if (host === undefined) return false;
@@ -180,11 +180,12 @@ class AnswersDialog {
     const done: AnswerRow[] = [];
     for (const row of rows) {
       this.#status.textContent = texts.checking(done.length + 1, rows.length);
-      done.push(await this.#grader.grade(row, chosen));
+      done.push(await withLink(await this.#grader.grade(row, chosen)));
       if (!isCurrent()) return false;
       this.#rows = [...before, ...done];
-      this.#render();
+      this.#renderTable();
     }
+    this.#render();
     const passed = this.#rows.filter(({ graded }) => graded?.report.passed === true).length;
     const summary = texts.summary(passed, this.#rows.length);
     this.#status.textContent = isTooMany ? `${summary} ${texts.tooMany(MAX_ANSWERS)}` : summary;
@@ -227,16 +228,23 @@ class AnswersDialog {
     return [...found].sort((a, b) => (sorted.isDescending ? compare(b, a) : compare(a, b)));
   }
 
-  #render(): void {
-    const language = this.#language;
-    const texts = ANSWERS_WORDS[language];
+  /** Renders the shown rows. */
+  #renderTable(): readonly AnswerRow[] {
     const isEmpty = this.#rows.length === 0;
     for (const part of [this.#table, this.#csv, this.#print, this.#clear, this.#fields.filter.label])
       part.hidden = isEmpty;
     this.#head.replaceChildren(...HEAD_KEYS.map((key) => this.#headCell(key)));
     const rows = this.#shownRows;
     this.#body.replaceChildren(...rows.map((row) => this.#tableRow(row)));
-    if (isEmpty) return;
+    return rows;
+  }
+
+  /** Renders the shown rows, and makes their files. */
+  #render(): void {
+    const rows = this.#renderTable();
+    if (this.#rows.length === 0) return;
+    const language = this.#language;
+    const texts = ANSWERS_WORDS[language];
     const head = HEAD_KEYS.map((key) => texts.head[key]);
     // A spreadsheet reads UTF-8 only after a byte order mark.
     setFile(this.#csv, `\ufeff${csvOf(rows, texts)}`, 'text/csv;charset=utf-8');
@@ -257,25 +265,30 @@ class AnswersDialog {
 
   #tableRow(row: AnswerRow): HTMLElement {
     const [name = '', ...cells] = cellsOf(row, ANSWERS_WORDS[this.#language]);
-    const { answer, graded } = row;
-    const title = make('th', { scope: 'row' }, name);
-    if (answer !== undefined && graded !== undefined) void this.#linkTo(row, title, name);
+    const { graded, link } = row;
+    const title =
+      link === undefined ? name : make('a', { className: 'link', href: link, target: '_blank', rel: 'noopener' }, name);
     const state = graded === undefined ? 'not-graded' : graded.report.passed ? 'passed' : 'failed';
-    return make('tr', { className: state }, title, ...cells.map((text) => make('td', {}, text)));
+    return make(
+      'tr',
+      { className: state },
+      make('th', { scope: 'row' }, title),
+      ...cells.map((text) => make('td', {}, text)),
+    );
   }
+}
 
-  /** Makes the name a link that opens the answer with its exercise in a new tab. */
-  async #linkTo({ answer, graded }: AnswerRow, cell: HTMLElement, name: string): Promise<void> {
-    if (answer === undefined || graded === undefined) return;
-    const { id, version, hints = 0, exerciseText } = graded;
-    const made = await makeLink({
-      ...EMPTY_SHARED,
-      text: answer.text,
-      exercise: { id, version, hints },
-      exerciseText,
-      name: answer.name === '' ? null : answer.name.slice(0, 80),
-    }).catch(() => undefined);
-    if (made?.kind !== 'link') return;
-    cell.replaceChildren(make('a', { className: 'link', href: made.link, target: '_blank', rel: 'noopener' }, name));
-  }
+/** Adds the link that opens a graded answer with its exercise. */
+async function withLink(row: AnswerRow): Promise<AnswerRow> {
+  const { answer, graded } = row;
+  if (answer === undefined || graded === undefined) return row;
+  const { id, version, hints = 0, exerciseText } = graded;
+  const made = await makeLink({
+    ...EMPTY_SHARED,
+    text: answer.text,
+    exercise: { id, version, hints },
+    exerciseText,
+    name: answer.name === '' ? null : answer.name.slice(0, NAME_LIMIT),
+  }).catch(() => undefined);
+  return made?.kind === 'link' ? { ...row, link: made.link } : row;
 }

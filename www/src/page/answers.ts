@@ -48,6 +48,8 @@ export interface AnswerRow {
   readonly answer?: Answer;
   readonly fault?: AnswerFault;
   readonly graded?: GradedRow;
+  /** The fragment that opens the graded answer. */
+  readonly link?: string;
 }
 
 export interface GradedRow {

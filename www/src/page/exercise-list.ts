@@ -3,7 +3,7 @@
 // In: `exercises/list.json` and the files beside it. Out: ids, titles and texts. Must not know: the contents of an exercise.
 
 import type { Language } from '../dom/language';
-import { withTimeout } from '../dom/timeout';
+import { loadText } from '../dom/load-text';
 import { exerciseAddress } from './linked';
 
 export interface ListedExercise {
@@ -12,30 +12,19 @@ export interface ListedExercise {
   readonly title: Partial<Record<Language, string>>;
 }
 
-const TIMEOUT_MS = 20_000;
-
 /** The list; undefined if it cannot be loaded. */
 export async function loadExercises(): Promise<readonly ListedExercise[] | undefined> {
-  const text = await load('exercises/list.json');
+  const text = await loadText('exercises/list.json');
   return text === undefined ? undefined : (JSON.parse(text) as readonly ListedExercise[]);
 }
 
 /** The text of the file of an exercise; undefined if it cannot be loaded. */
 export async function loadExercise(id: string): Promise<string | undefined> {
-  const text = /^[a-z0-9-]{1,64}$/.test(id) ? await load(exerciseAddress(id)) : undefined;
+  const text = /^[a-z0-9-]{1,64}$/.test(id) ? await loadText(exerciseAddress(id)) : undefined;
   // Some servers answer a request for a missing file with a page.
   return text?.startsWith('---') === true ? text : undefined;
 }
 
 export function titleOf({ id, title }: ListedExercise, language: Language): string {
   return title[language] ?? title.en ?? id;
-}
-
-async function load(address: string): Promise<string | undefined> {
-  try {
-    const response = await withTimeout(fetch(new URL(address, document.baseURI)), TIMEOUT_MS);
-    return response === 'timeout' || !response.ok ? undefined : await response.text();
-  } catch {
-    return undefined;
-  }
 }

@@ -5,7 +5,7 @@
 // shown. Must not know: how a part is measured.
 
 import { make, renderUnbroken } from '../dom/dom';
-import { withTimeout } from '../dom/timeout';
+import { loadText } from '../dom/load-text';
 import { COMMON, words } from '../dom/words';
 import { programText } from '../editor/program-text';
 import type { ExerciseText, Graded } from '../protocol/protocol';
@@ -16,7 +16,6 @@ export { exerciseStyles };
 
 /** The longest exercise file, characters, as the interpreter reads it. */
 const MAX_LENGTH = 65_536;
-const TIMEOUT_MS = 20_000;
 
 /** The detail of the event `gcode-checked`. */
 export interface CheckedDetail {
@@ -192,15 +191,8 @@ export class ExerciseView {
 
 /** The text of the file; undefined if it cannot be loaded or is too long. A text that begins with `---` is the file itself. */
 async function load(address: string): Promise<string | undefined> {
-  if (address.startsWith('---')) return address.length > MAX_LENGTH ? undefined : address;
-  try {
-    const response = await withTimeout(fetch(new URL(address, document.baseURI)), TIMEOUT_MS);
-    if (response === 'timeout' || !response.ok) return undefined;
-    const text = await response.text();
-    return text.length > MAX_LENGTH ? undefined : text;
-  } catch {
-    return undefined;
-  }
+  const text = address.startsWith('---') ? address : await loadText(address);
+  return text !== undefined && text.length > MAX_LENGTH ? undefined : text;
 }
 
 /** The place of a line, counted from 1. */
