@@ -503,6 +503,41 @@ test('the legend belongs to the previous picture while it stays, and then to the
   await expect(legend).not.toContainText('cut off the blank');
 });
 
+chromiumTest('a picture that stays has the colours that were chosen before its run', async ({ page }) => {
+  // The worker receives the palette immediately before the run, so that the run cancels the drawing.
+  await runBeforeWorker(
+    page,
+    `
+    let held;
+    self.addEventListener('message', (event) => {
+      const content = event.data?.content;
+      if (content?.kind === 'palette' && self.holdsPalettes === true) {
+        event.stopImmediatePropagation();
+        held = event.data;
+      } else if (content?.kind === 'run' && held !== undefined) {
+        self.holdsPalettes = false;
+        const palette = held;
+        held = undefined;
+        event.stopImmediatePropagation();
+        self.dispatchEvent(new MessageEvent('message', { data: palette }));
+        self.dispatchEvent(new MessageEvent('message', { data: event.data }));
+      }
+    });
+  `,
+  );
+  await open(page);
+  await type(page, CONTOUR);
+  await settled(page);
+  await toTypedBlock(page);
+  const { x, y, width } = (await drawing(page).boundingBox())!;
+  const corner = { x: x + width - 20, y: y + 20 };
+  const light = await pixels(page, corner);
+  await page.workers()[0]!.evaluate(() => Object.assign(self, { holdsPalettes: true }));
+  await page.locator('gcode-playground').evaluate((element) => element.setAttribute('theme', 'dark'));
+  await page.keyboard.press('Backspace');
+  await expect.poll(() => pixels(page, corner)).not.toBe(light);
+});
+
 chromiumTest('leaving the block during its run shows the current path of the program', async ({ page }) => {
   // The worker receives the cursor move after the first slice of the run.
   await runBeforeWorker(

@@ -69,6 +69,11 @@ export async function go({
     while (cards().length === 0) await sleep(0);
     (cards()[index] as HTMLButtonElement).click();
   };
+  /** Focuses the editor. For 200 ms afterwards, CodeMirror takes a selection at the start for one by the browser. */
+  const focus = async (content: HTMLElement): Promise<void> => {
+    content.focus();
+    await sleep(250);
+  };
   let now = from;
 
   const load = async (state: State): Promise<void> => {
@@ -88,15 +93,17 @@ export async function go({
       case 'as it is':
         break;
       case 'line typed':
-        content.focus();
+        await focus(content);
         key(content, 'Home', { ctrlKey: true });
         key(content, 'Enter');
         break;
       case 'character deleted':
-        content.focus();
+        await focus(content);
         key(content, 'Home', { ctrlKey: true });
         for (let line = 0; line < 3; line++) key(content, 'ArrowDown');
         key(content, 'Delete');
+        // Until the cursor leaves the block, the picture before the edit may stay.
+        key(content, 'ArrowUp');
         break;
       case 'line doubled': {
         const middle = Math.floor(lines.length / 2);

@@ -73,6 +73,8 @@ export class OldPicture {
 
   /** A command was executed. Returns what becomes of the old picture; undefined if there is none. */
   onCommand(command: Command): 'kept' | 'dropped' | undefined {
+    // The last picture does not show this change, and the next run may start before it is drawn again.
+    if (this.#changesPicture(command)) this.#lastPicture = this.#drawn = undefined;
     // The user may leave the line or change the picture while its run is in progress.
     if (this.#typedLine !== undefined && !this.#isKept(command, this.#typedLine)) this.#typedLine = undefined;
     if (this.#shown === undefined) return undefined;
@@ -81,27 +83,24 @@ export class OldPicture {
     return 'dropped';
   }
 
-  /**
-   * Whether the user has left the line or moved the picture. A resize is not a move: the messages of a new run can
-   * cause it.
-   */
-  #leavesLine(command: Command, line: number): boolean {
-    if (command.kind === 'cursor') return command.offset === undefined || this.#core.lineAt(command.offset) !== line;
-    return command.kind === 'picture' && command.command.kind !== 'resize' && command.command.kind !== 'repaint';
+  #isKept(command: Command, line: number): boolean {
+    if (command.kind === 'cursor') return command.offset !== undefined && this.#core.lineAt(command.offset) === line;
+    return !this.#changesPicture(command);
   }
 
-  #isKept(command: Command, line: number): boolean {
+  #changesPicture(command: Command): boolean {
     switch (command.kind) {
-      case 'cursor':
       case 'picture':
-        return !this.#leavesLine(command, line);
+        // A resize is not a move by the user: the messages of a new run can cause it.
+        return command.command.kind !== 'resize' && command.command.kind !== 'repaint';
+      case 'cursor':
       case 'run':
       case 'shown':
       case 'hover':
       case 'leave-edge':
       case 'load-parts':
       case 'stop':
-        return true;
+        return false;
       case 'palette':
       case 'language':
       case 'unit':
@@ -112,7 +111,7 @@ export class OldPicture {
       case 'frame':
       case 'keep-part':
       case 'end-comparison':
-        return false;
+        return true;
     }
   }
 
