@@ -32,6 +32,8 @@ pub(super) enum Kept {
 pub(super) struct Machined {
     simulation: SimulationResult,
     part: Option<Region>,
+    /// The half on the other side of the axis than the tool, if it differs.
+    opposite: Option<Region>,
     threads: Vec<Thread>,
     face: Option<Face>,
     side: Option<Side>,
@@ -53,11 +55,11 @@ impl Kept {
 
 impl Machined {
     pub(super) fn new(simulation: SimulationResult, motions: &Motions) -> Self {
-        let part = simulation.finished();
+        let (part, opposite) = (simulation.finished(), simulation.opposite_finished());
         let threads = threads(motions, simulation.resolved_setup());
         let face = Face::of(motions, &simulation);
         let side = Side::of(motions, &simulation);
-        Self { simulation, part, threads, face, side, comparison: None, shown: None }
+        Self { simulation, part, opposite, threads, face, side, comparison: None, shown: None }
     }
 
     /// Compares the part with the kept one; without a kept part, ends the comparison.
@@ -80,6 +82,13 @@ impl Machined {
 
     pub(super) fn part(&self) -> Option<&Region> {
         self.part.as_ref()
+    }
+
+    /// The half of the part on a side of the axis, 1 above it and −1 below it; X is positive in both.
+    pub(super) fn part_on(&self, side: f64) -> Option<&Region> {
+        let is_opposite = (side > 0.0) == self.simulation.is_opposite_above();
+        // A comparison shows the half on the side of the tool twice.
+        self.opposite.as_ref().filter(|_| is_opposite && self.comparison.is_none()).or(self.part())
     }
 
     pub(super) fn threads(&self) -> &[Thread] {

@@ -23,16 +23,17 @@ impl Current {
     /// Begins or ends measuring; nothing is picked then.
     pub fn set_measuring(&mut self, measures: bool) {
         self.view_state.picked.clear();
-        self.section_mut().measured = measures.then(Vec::new);
+        self.view_state.section_mut().measured = measures.then(Vec::new);
     }
 
     /// Picks the corner or edge within `reach` of a position, both in CSS pixels, as the first or the second place.
     /// A position without either clears both places. While a tool is shown, only strokes can be picked.
     pub fn measure_at(&mut self, at: Pixel, reach: f64) -> Option<Measurement> {
-        let camera = *self.section().camera();
+        let camera = *self.view_state.section().camera();
         let (place, reach_mm) = (camera.to_world(at), reach / camera.scale());
-        let machined = self.machined_part().filter(|_| self.section().playhead.is_none());
-        let part = machined.and_then(|machined| Some((machined.part()?, machined.threads())));
+        let machined = self.machined().filter(|_| self.view_state.section().playhead.is_none());
+        let side = if place.x < 0.0 { -1.0 } else { 1.0 };
+        let part = machined.and_then(|machined| Some((machined.part_on(side)?, machined.threads())));
         let features: Vec<Feature> = part
             .map_or_else(Vec::new, |(part, threads)| feature::all(part, threads))
             .into_iter()
@@ -56,11 +57,11 @@ impl Current {
                 (Measurement::One(one, feature), annotations)
             }
             _ => {
-                self.section_mut().measured = Some(Vec::new());
+                self.view_state.section_mut().measured = Some(Vec::new());
                 return None;
             }
         };
-        self.section_mut().measured = Some(annotations);
+        self.view_state.section_mut().measured = Some(annotations);
         Some(result)
     }
 }

@@ -7,23 +7,25 @@
 //! ([`crate::machine::Simulation`]). Must not know of canvases or JavaScript.
 
 pub(crate) mod machined;
+mod material;
 pub mod measuring;
 pub mod per_plane;
 mod picked;
 pub mod question;
+mod view_state;
 
 use std::cell::OnceCell;
 use std::ops::Range;
 
 use crate::assist::Query;
-use crate::figures::{self, measure::Picked};
+use crate::figures;
 use crate::geometry::Point;
+use crate::machine::SimulationResult;
 use crate::machine::compare::Comparison;
 use crate::machine::feature::{self, Feature};
 use crate::machine::live_holes::LiveHole;
 use crate::machine::region::Region;
 use crate::machine::resolved_setup::ResolvedSetup;
-use crate::machine::{Simulation, SimulationResult, SimulationStep};
 use crate::motion::{MotionKind, Motions};
 use crate::parts::{Part, late};
 use crate::playback::clock::{Clock, Playhead};
@@ -34,7 +36,6 @@ use crate::scene::annotation::Annotate;
 use crate::scene::camera::{Pixel, Size, XPlus};
 use crate::scene::path_index::PathIndex;
 use crate::scene::pick::pick;
-use crate::scene::ruler::Scale;
 use crate::scene::side::Side;
 use crate::scene::source::{Picture, Source, Stage};
 use crate::scene::steps::labels;
@@ -46,7 +47,9 @@ use crate::source::LineIndex;
 use crate::text::parser::Resume;
 use crate::units::Unit;
 use machined::{Kept, Machined};
+use material::Material;
 use per_plane::PerPlane;
+use view_state::ViewState;
 
 /// The current run and how it is viewed.
 pub struct Current {
@@ -71,41 +74,6 @@ struct Derived {
     material: Material,
 }
 
-/// State that belongs to the user and persists from one run to the next.
-struct ViewState {
-    /// The view of each picture. Selection and tool position are kept in the view of the section; the others
-    /// follow it.
-    views: PerPlane<View>,
-    /// Position of the cursor, UTF-16 offset.
-    cursor: Option<u32>,
-    /// Lines, from 0, whose strokes are highlighted while there is no cursor.
-    marked: Vec<Range<u32>>,
-    /// The turret side that the user has chosen; `None` for the side in the setup.
-    turret: Option<Turret>,
-    /// The part that is kept for comparison with later ones.
-    kept: Option<Kept>,
-    /// The annotations that the user has chosen.
-    annotate: Annotate,
-    /// The places that the user has picked to measure: at most two.
-    picked: Vec<Picked>,
-    /// The unit that the user has chosen; `None` for the unit of the program.
-    unit: Option<Unit>,
-    /// The symbols of millimetre and inch in the user's language.
-    unit_symbols: [&'static str; 2],
-}
-
-/// The state of the blank.
-#[derive(Default)]
-enum Material {
-    /// Nothing removed yet: the program has to finish first.
-    #[default]
-    Untouched,
-    /// Being removed; not shown yet.
-    InProgress(Box<Simulation>),
-    /// All removed.
-    Off(Box<Machined>),
-}
-
 impl Current {
     /// Begins a run. Its picture is 300 × 150 CSS pixels, the default size of a canvas.
     pub fn new(text: Vec<u8>, setup: Setup) -> Self {
@@ -118,18 +86,8 @@ impl Current {
             };
             View::new(&scene.on(plane), Size { width: 300.0, height })
         });
-        let view_state = ViewState {
-            views,
-            cursor: None,
-            marked: Vec::new(),
-            turret: None,
-            kept: None,
-            annotate: Annotate::default(),
-            picked: Vec::new(),
-            unit: None,
-            unit_symbols: ["mm", "in"],
-        };
-        Self { run, lines: OnceCell::new(), path_index, derived: Derived::default(), view_state }
+        let (lines, derived) = (OnceCell::new(), Derived::default());
+        Self { run, lines, path_index, derived, view_state: ViewState::new(views) }
     }
 
     // ---- from one run to the next ---------------------------------------------------------------------
@@ -197,11 +155,7 @@ impl Current {
     fn begin(&mut self, change: impl FnOnce(&mut Run, &mut OnceCell<LineIndex>)) {
         change(&mut self.run, &mut self.lines);
         self.derived = Derived::default();
-        self.view_state.picked.clear();
-        // Selections are stroke numbers, which now belong to other strokes.
-        for view in self.view_state.views.iter_mut() {
-            *view = view.without_selection(None);
-        }
+        self.view_state.drop_selections();
     }
 
     /// Runs at most `blocks` blocks; returns true once the run has ended.
@@ -237,15 +191,6 @@ impl Current {
         remove_material(self, motions)
     }
 
-    fn remove(&mut self, simulation: Simulation, motions: usize) {
-        match simulation.advance(self.run.motions(), motions) {
-            SimulationStep::InProgress(simulation) => {
-                self.derived.material = Material::InProgress(Box::new(simulation))
-            }
-            SimulationStep::Done(simulation) => self.finish_material(simulation),
-        }
-    }
-
     /// Stops removing material, and reports that.
     pub fn stop_machining(&mut self) {
         stop_machining(self);
@@ -258,11 +203,7 @@ impl Current {
 
     /// The fraction of the motions whose material has been removed, 0 to 1.
     pub fn machining_progress(&self) -> f64 {
-        match &self.derived.material {
-            Material::Untouched => 0.0,
-            Material::InProgress(simulation) => simulation.progress(),
-            Material::Off(_) => 1.0,
-        }
+        self.derived.material.progress()
     }
 
     fn finish_material(&mut self, simulation: SimulationResult) {
@@ -271,7 +212,7 @@ impl Current {
         let mut machined = Machined::new(simulation, self.run.motions());
         machined.compare(&self.run, self.view_state.kept.as_ref());
         self.derived.material = Material::Off(Box::new(machined));
-        self.section_mut().edge.clear();
+        self.view_state.section_mut().edge.clear();
         self.show();
         self.turn();
         for plane in Plane::SURFACES {
@@ -323,57 +264,53 @@ impl Current {
 
     /// How far the run has progressed.
     pub fn stage(&self) -> Stage {
-        match &self.derived.material {
-            Material::Off(_) => Stage::Whole,
-            Material::Untouched | Material::InProgress(_) if self.run.is_finished() => Stage::Path,
-            Material::Untouched | Material::InProgress(_) => Stage::Running,
+        match self.machined() {
+            Some(_) => Stage::Whole,
+            None if self.run.is_finished() => Stage::Path,
+            None => Stage::Running,
         }
     }
 
     /// The result of the simulation, once all material is removed.
     pub fn simulation(&self) -> Option<&SimulationResult> {
-        self.machined_part().map(Machined::simulation)
+        self.machined().map(Machined::simulation)
     }
 
     /// Tools and blank, once the program has finished and material is being removed.
     pub fn resolved_setup(&self) -> Option<&ResolvedSetup> {
-        match &self.derived.material {
-            Material::Untouched => None,
-            Material::InProgress(simulation) => Some(simulation.resolved_setup()),
-            Material::Off(machined) => Some(machined.simulation().resolved_setup()),
-        }
+        self.derived.material.resolved_setup()
     }
 
     /// The finished part, once all material is removed. `None` without a blank, or if a limit was reached.
     pub fn part(&self) -> Option<&Region> {
-        self.machined_part()?.part()
+        self.machined()?.part()
     }
 
     /// The part at the moment that is shown.
     pub fn part_shown(&mut self) -> Option<Region> {
         self.show();
-        self.machined_part()?.part_shown(self.run.motions())
+        self.machined()?.part_shown(self.run.motions())
     }
 
     /// The holes of live tools in the part at that moment.
     pub fn holes_shown(&mut self) -> Vec<LiveHole> {
         self.show();
-        self.machined_part().map_or_else(Vec::new, |machined| machined.holes_shown(self.run.motions()))
+        self.machined().map_or_else(Vec::new, |machined| machined.holes_shown(self.run.motions()))
     }
 
     /// The moves over a surface. `None` if nothing moves over it, and for the section.
     pub fn moves(&self, plane: Plane) -> Option<&SurfaceMoves> {
-        self.machined_part()?.moves(plane)
+        self.machined()?.moves(plane)
     }
 
     /// The view from the side, if anything moves there.
     pub fn side(&self) -> Option<&Side> {
-        self.machined_part()?.side()
+        self.machined()?.side()
     }
 
     /// The differences between the part and the one kept for comparison.
     pub fn comparison(&self) -> Option<&Comparison> {
-        self.machined_part()?.comparison()
+        self.machined()?.comparison()
     }
 
     /// The clock of the motions.
@@ -389,11 +326,8 @@ impl Current {
         self.derived.moving_lines.1.clone()
     }
 
-    fn machined_part(&self) -> Option<&Machined> {
-        match &self.derived.material {
-            Material::Off(machined) => Some(machined),
-            Material::Untouched | Material::InProgress(_) => None,
-        }
+    fn machined(&self) -> Option<&Machined> {
+        self.derived.material.machined()
     }
 
     // ---- views ----------------------------------------------------------------------------------------
@@ -441,7 +375,7 @@ impl Current {
     pub fn set_cursor(&mut self, offset: Option<u32>) {
         self.view_state.cursor = offset;
         if self.view_state.annotate != Annotate::Part {
-            self.clear_annotations();
+            self.view_state.clear_annotations();
         }
         // If nothing is measured yet, `measure` will highlight them.
         if self.derived.measured {
@@ -452,17 +386,13 @@ impl Current {
     /// Chooses the annotations; [`Self::annotate`] makes them.
     pub fn set_annotate(&mut self, annotate: Annotate) {
         self.view_state.annotate = annotate;
-        self.clear_annotations();
+        self.view_state.clear_annotations();
         let frame = match annotate {
             Annotate::None | Annotate::Word => None,
             Annotate::Cycle => Some(Frame::Cuts),
             Annotate::Part => Some(Frame::Part),
         };
         self.look(Plane::Section, |view, scene| view.set_labels(scene, frame));
-    }
-
-    fn clear_annotations(&mut self) {
-        self.view_state.views.iter_mut().for_each(|view| view.annotations.clear());
     }
 
     /// Makes the chosen annotations of the finished run. `asked`: the place of the cursor, and the execution of
@@ -479,12 +409,12 @@ impl Current {
                 let byte = asked.map(|(byte, _)| byte).or_else(first);
                 byte.map_or_else(Vec::new, |byte| figures::of_cycle(&mut self.run, byte).annotations)
             }
-            Annotate::Part => self.machined_part().map_or_else(Vec::new, |machined| {
+            Annotate::Part => self.machined().map_or_else(Vec::new, |machined| {
                 let dimensions = |part| figures::of_part(part, machined.threads(), self.run.motions());
                 machined.part().map_or_else(Vec::new, dimensions)
             }),
         };
-        self.section_mut().annotations = annotations;
+        self.view_state.section_mut().annotations = annotations;
         let milled = self.moves(Plane::Face).filter(|_| self.view_state.annotate == Annotate::Cycle);
         let letters = milled.map_or_else(Vec::new, figures::of_face);
         self.view_state.views[Plane::Face].annotations = letters;
@@ -493,7 +423,7 @@ impl Current {
     /// Marks the stroke under the pointer.
     pub fn set_hover(&mut self, motion: Option<usize>) {
         let motion = motion.filter(|&index| index < self.run.motions().len());
-        self.section_mut().hover = motion;
+        self.view_state.section_mut().hover = motion;
         if HIGHLIGHTING.is_loaded() {
             name_steps(self);
         }
@@ -525,18 +455,13 @@ impl Current {
     #[inline(never)]
     fn count_in_unit(&mut self) {
         let unit = self.unit();
-        let scale = Scale { unit, symbol: self.view_state.unit_symbols[unit as usize] };
-        // The other pictures follow the section, but only if something moves in them; so set all of them
-        // here.
-        for view in self.view_state.views.iter_mut() {
-            view.scale = scale;
-        }
+        self.view_state.set_scale(unit);
     }
 
     /// Moves the tool to a position; `None` shows all strokes and no tool.
     pub fn seek(&mut self, playhead: Option<Playhead>) {
         let playhead = playhead.filter(|_| !self.run.motions().is_empty());
-        self.section_mut().playhead = playhead;
+        self.view_state.section_mut().playhead = playhead;
     }
 
     /// Moves the tool to the start of the block at a UTF-16 offset, or of the next block that moves it.
@@ -557,7 +482,7 @@ impl Current {
     /// The position of the tool.
     pub fn place(&mut self) -> Option<(Playhead, Place)> {
         self.measure();
-        let playhead = self.section().playhead?;
+        let playhead = self.view_state.section().playhead?;
         Some((playhead, self.scene().place(playhead)?))
     }
 
@@ -593,25 +518,25 @@ impl Current {
 
     /// Marks the edge of the part within `reach` (mm) of a position in the section, and returns its feature.
     pub fn mark_edge(&mut self, at: Pixel, reach: f64) -> Option<Feature> {
-        let camera = *self.section().camera();
+        let camera = *self.view_state.section().camera();
         let pointer = camera.to_world(at);
         let place = Point::new(pointer.x.abs(), pointer.z);
-        let feature = match (self.machined_part(), self.section().playhead) {
+        let side = if pointer.x < 0.0 { -1.0 } else { 1.0 };
+        let feature = match (self.machined(), self.view_state.section().playhead) {
             (Some(machined), None) => {
-                let part = machined.part();
+                let part = machined.part_on(side);
                 part.and_then(|part| feature::at(part, machined.threads(), place, reach / camera.scale()))
             }
             _ => None,
         };
-        let side = if pointer.x < 0.0 { -1.0 } else { 1.0 };
         let corners = feature.iter().flat_map(|feature| &feature.corners);
-        self.section_mut().edge = corners.map(|at| Point::new(side * at.x, at.z)).collect();
+        self.view_state.section_mut().edge = corners.map(|at| Point::new(side * at.x, at.z)).collect();
         feature.map(|feature| feature.as_programmed(self.run.motions()))
     }
 
     /// Marks no edge.
     pub fn leave_edge(&mut self) {
-        self.section_mut().edge.clear();
+        self.view_state.section_mut().edge.clear();
     }
 
     // ---- the pictures ---------------------------------------------------------------------------------
@@ -636,22 +561,10 @@ impl Current {
         Source { run: self.run.id(), stage: self.stage() }
     }
 
-    /// The view of the section, which also contains the selection and the tool position.
-    fn section(&self) -> &View {
-        &self.view_state.views[Plane::Section]
-    }
-
-    fn section_mut(&mut self) -> &mut View {
-        &mut self.view_state.views[Plane::Section]
-    }
-
     /// The scene and the view of a picture.
     fn scene_and_view(&mut self, plane: Plane) -> (Scene<'_>, &mut View) {
         let Self { run, path_index, derived, view_state, .. } = self;
-        let machined = match &derived.material {
-            Material::Off(machined) => Some(machined),
-            Material::Untouched | Material::InProgress(_) => None,
-        };
+        let machined = derived.material.machined();
         let work = machined.and_then(|machined| machined.work(plane));
         let scene = match machined.and_then(|machined| machined.moves(plane)) {
             Some(moves) => moves.scene(work),
@@ -665,9 +578,9 @@ impl Current {
     /// Updates everything that is shown to the tool position.
     fn show(&mut self) {
         self.measure();
-        let place = self.section().playhead.and_then(|playhead| self.scene().place(playhead));
+        let place = self.view_state.section().playhead.and_then(|playhead| self.scene().place(playhead));
         let Self { run, derived, view_state, .. } = self;
-        let Material::Off(machined) = &mut derived.material else { return };
+        let Some(machined) = derived.material.machined_mut() else { return };
         machined.show(run.motions(), place);
         let (section, surfaces) = view_state.views.section_and_surfaces();
         for (plane, view) in surfaces {
@@ -704,7 +617,7 @@ impl Current {
 
     fn compare(&mut self) {
         let Self { run, derived, view_state, .. } = self;
-        if let Material::Off(machined) = &mut derived.material {
+        if let Some(machined) = derived.material.machined_mut() {
             machined.compare(run, view_state.kept.as_ref());
         }
         self.show();
@@ -730,15 +643,10 @@ late! {
     }
 
     fn remove_material(current: &mut Current, motions: usize) -> bool {
-        match std::mem::replace(&mut current.derived.material, Material::Untouched) {
-            Material::Off(machined) => current.derived.material = Material::Off(machined),
-            Material::Untouched => {
-                let simulation = Simulation::new(current.run.motions(), &current.run.setup_at_machine());
-                current.remove(simulation, motions);
-            }
-            Material::InProgress(simulation) => current.remove(*simulation, motions),
+        if let Some(simulation) = current.derived.material.remove(&current.run, motions) {
+            current.finish_material(simulation);
         }
-        matches!(current.derived.material, Material::Off(_))
+        current.machined().is_some()
     }
 
     fn highlight(current: &mut Current) {
@@ -747,7 +655,7 @@ late! {
             Some(at) => picked::at(run, lines, &scene, at),
             None => (picked::of_lines(run, lines, &scene, &current.view_state.marked), Vec::new()),
         };
-        let section = current.section_mut();
+        let section = current.view_state.section_mut();
         (section.highlight, section.marks) = picked;
         name_steps(current);
     }
@@ -755,7 +663,7 @@ late! {
     // Labels the steps of the selected pass.
     fn name_steps(current: &mut Current) {
         let Current { run, view_state, .. } = current;
-        let section = &mut view_state.views[Plane::Section];
+        let section = view_state.section_mut();
         section.steps = labels(run.motions(), &section.highlight, section.hover);
     }
 
@@ -765,9 +673,8 @@ late! {
     }
 
     fn stop_machining(current: &mut Current) {
-        match std::mem::replace(&mut current.derived.material, Material::Untouched) {
-            Material::InProgress(simulation) => current.finish_material(simulation.stop()),
-            other => current.derived.material = other,
+        if let Some(simulation) = current.derived.material.stop() {
+            current.finish_material(simulation);
         }
     }
 }

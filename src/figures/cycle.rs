@@ -250,7 +250,7 @@ impl Call {
             let ends = [self.step(Step::Cut), self.last(Step::Cut)].into_iter().flatten();
             all.extend(ends.map(|cut| Annotation {
                 shape: Shape::Step([cut.from, cut.to]),
-                label: Label { name: "n", value: Some(Measure::Count(f64::from(pass_of(cut)))) },
+                label: Label::of("n", Some(Measure::Count(f64::from(pass_of(cut))))),
                 importance: Importance::Usual,
             }));
         }

@@ -60,7 +60,7 @@ fn undercut(cut: &Motion, at: Point) -> [Annotation; 5] {
     // At its wide end, away from the arrow in the middle of the cut.
     let mark = at_share([at_share([at, surface], 0.5), end], 0.2);
     let zone = Shape::Zone { outline: vec![at, end, surface], way: [start, end], mark };
-    let label = Label { name: "", value: Some(Measure::Coordinate('R', length)) };
+    let label = Label::of("", Some(Measure::Coordinate('R', length)));
     let entered = Shape::Axial([Point::new(surface.x, end.z), surface]);
     // Below the axis, where there are no strokes.
     let drawn = Shape::Axial([end.z, at.z].map(|z| Point::new(-at.x, z)));

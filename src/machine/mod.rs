@@ -48,6 +48,7 @@ use resolved_setup::ResolvedSetup;
 pub struct SimulationResult {
     resolved: ResolvedSetup,
     part: Option<Part>,
+    opposite: Option<OppositeHalf>,
     detector: DangerDetector,
     watch: RemovalWatch,
     machine: Machine,
@@ -57,6 +58,16 @@ pub struct SimulationResult {
     first_unknown: Option<usize>,
     /// Number of motions of the program.
     motions: usize,
+}
+
+/// The half of the section on the other side of the axis than the tool; before the first thread it mirrors that half.
+#[derive(Clone, Debug)]
+struct OppositeHalf {
+    /// Index of the first motion that cuts turns of a thread.
+    first_thread: usize,
+    /// Whether this half is above the axis: the tool is at −X.
+    is_above: bool,
+    part: Part,
 }
 
 /// Why the removal of material ended early.
@@ -109,6 +120,7 @@ impl Simulation {
             first_unknown,
             resolved,
             part,
+            opposite: None,
             detector,
             watch,
             machine: setup.machine,
@@ -183,8 +195,17 @@ impl SimulationResult {
             self.detector.check_motion(index, &motion, &self.resolved, part);
             let block = || motions.span(index).start;
             self.watch.check_motion(index, &motion, block, &self.resolved, part);
-            part.step(&motion, self.resolved.tool(&motion));
-            if part.corners() > self.limits.part_corners {
+            let tool = self.resolved.tool(&motion);
+            if self.opposite.is_none() && part::cuts_turn_by_turn(&motion, tool) {
+                let is_above = motions.get_on_workpiece(index).from.x < 0.0;
+                self.opposite = Some(OppositeHalf { first_thread: index, is_above, part: part.opposite() });
+            }
+            if let Some(opposite) = &mut self.opposite {
+                opposite.part.step(&motion, tool);
+            }
+            part.step(&motion, tool);
+            let opposite_corners = self.opposite.as_ref().map_or(0, |opposite| opposite.part.corners());
+            if part.corners().max(opposite_corners) > self.limits.part_corners {
                 self.limit = Some(SimulationLimit::Corners(self.limits.part_corners));
             }
         }
@@ -241,6 +262,24 @@ impl SimulationResult {
         Some(self.shown().filter(|_| self.limit.is_none())?.at(motions, &self.resolved, count, share))
     }
 
+    /// The half of the finished part on the other side of the axis than the tool, with X positive; `None` if it
+    /// mirrors [`Self::finished`]. The grooves of threads are half a turn further there.
+    pub fn opposite_finished(&self) -> Option<Region> {
+        Some(self.shown_opposite()?.part.finished())
+    }
+
+    /// As [`Self::part_at`], for the half on the other side of the axis than the tool; `None` if it mirrors that half.
+    pub fn opposite_at(&self, motions: &Motions, count: usize, share: f64) -> Option<Region> {
+        let opposite = self.shown_opposite()?;
+        let has_thread = count > opposite.first_thread || count == opposite.first_thread && share > 0.0;
+        has_thread.then(|| opposite.part.at(motions, &self.resolved, count, share))
+    }
+
+    /// Whether the opposite half is above the axis: the tool cuts its first thread at −X.
+    pub fn is_opposite_above(&self) -> bool {
+        self.opposite.as_ref().is_some_and(|opposite| opposite.is_above)
+    }
+
     /// The blank.
     pub fn blank(&self) -> Option<&Region> {
         Some(self.shown()?.blank())
@@ -249,5 +288,9 @@ impl SimulationResult {
     /// The part, if there is one to show.
     fn shown(&self) -> Option<&Part> {
         self.part.as_ref().filter(|_| self.resolved.shows_part())
+    }
+
+    fn shown_opposite(&self) -> Option<&OppositeHalf> {
+        self.opposite.as_ref().filter(|_| self.limit.is_none() && self.resolved.shows_part())
     }
 }

@@ -1,8 +1,9 @@
 //! The workpiece during machining: the rest of the blank after each motion.
 //!
-//! In: the motions, and the given or inferred tools and blank. Out: the half-section at any moment. Material
-//! is removed in slices (`advance`), so that a long program blocks nothing. Some states are kept, so that
-//! every moment is close to a known state.
+//! In: the motions, and the given or inferred tools and blank. Out: the half-section at any moment, on the side of
+//! the tool or on the other side of the axis, where the grooves of a thread are half a turn further. Material is
+//! removed in slices (`advance`), so that a long program blocks nothing. Some states are kept, so that every moment
+//! is close to a known state.
 
 use std::cell::RefCell;
 
@@ -45,6 +46,7 @@ pub struct Part {
     waiting: Vec<Vec<Point>>,
     corners: usize,
     turned: Turned,
+    half: Half,
     /// The kept states.
     kept: Vec<Kept>,
     /// Corners of all kept states.
@@ -53,6 +55,34 @@ pub struct Part {
     stride: usize,
     /// The state of the last request, since the next request is often for a slightly later moment.
     last: RefCell<Option<Kept>>,
+}
+
+/// The half of the section. Only the grooves of threads differ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Half {
+    /// On the side of the tool.
+    #[default]
+    Tool,
+    /// On the other side of the axis: half a turn of the spindle further.
+    Opposite,
+}
+
+impl Half {
+    /// The motion as this half meets it.
+    fn meets(self, motion: &Motion) -> Motion {
+        match self {
+            Self::Tool => *motion,
+            Self::Opposite => Motion { start_angle: motion.start_angle + 180.0, ..*motion },
+        }
+    }
+
+    /// The angle of the spindle past a whole turn at the tool, in turns; `past`: that of this half.
+    fn at_tool(self, past: f64) -> f64 {
+        match self {
+            Self::Tool => past,
+            Self::Opposite => (past + 0.5).fract(),
+        }
+    }
 }
 
 /// The workpiece after `done` motions.
@@ -75,13 +105,14 @@ pub struct Turned {
 }
 
 impl Turned {
-    /// The state after a motion with its tool.
-    fn after(&self, motion: &Motion, tool: &ResolvedTool) -> Self {
+    /// The state after a motion with its tool, in a half of the section.
+    fn after(&self, motion: &Motion, tool: &ResolvedTool, half: Half) -> Self {
         let turns = motion.turns().filter(|_| motion.kind == MotionKind::Thread);
         let Some(past) = turns.map(|turns| (self.before(motion) + turns).fract()) else {
             return Self::default();
         };
-        let is_between = past > SAME && past < 1.0 - SAME;
+        let at_tool = half.at_tool(past);
+        let is_between = at_tool > SAME && at_tool < 1.0 - SAME;
         let cuts = is_between && removes_material(motion, tool) && tool.shape.action == Action::Threading;
         Self { past: Some(past), groove: if cuts { groove(motion, tool) } else { Vec::new() } }
     }
@@ -100,6 +131,28 @@ impl Part {
         Self { now: blank.clone(), blank, stride: STRIDE, ..Self::default() }
     }
 
+    /// The opposite half with the same motions done, before the first thread that cuts turns.
+    pub fn opposite(&mut self) -> Self {
+        self.remove_waiting();
+        let half_a_turn_further = |past: f64| (past + 0.5).fract();
+        let turned = Turned { past: self.turned.past.map(half_a_turn_further), ..self.turned.clone() };
+        let region = self.now.clone();
+        let start = Kept { done: self.done, turned: turned.clone(), region: region.clone() };
+        Self {
+            blank: self.blank.clone(),
+            now: region,
+            done: self.done,
+            waiting: Vec::new(),
+            corners: 0,
+            turned,
+            half: Half::Opposite,
+            kept_corners: start.region.corners(),
+            kept: vec![start],
+            stride: self.stride,
+            last: RefCell::new(None),
+        }
+    }
+
     /// The blank.
     pub fn blank(&self) -> &Region {
         &self.blank
@@ -113,8 +166,9 @@ impl Part {
     /// Executes the next motion with its tool.
     pub fn step(&mut self, motion: &Motion, tool: &ResolvedTool) {
         let before = self.waiting.len();
-        self.waiting.extend(cut(motion, &self.turned, tool));
-        self.turned = self.turned.after(motion, tool);
+        let motion = self.half.meets(motion);
+        self.waiting.extend(cut(&motion, &self.turned, tool));
+        self.turned = self.turned.after(&motion, tool, self.half);
         self.corners += self.waiting[before..].iter().map(Vec::len).sum::<usize>();
         self.done += 1;
         // Passes of a thread share flanks: removed together, they would split each other into thousands of
@@ -179,16 +233,17 @@ impl Part {
         let count = count.min(self.done);
         let Kept { done: from, mut turned, mut region } = self.near(count);
         let mut outlines: Vec<Vec<Point>> = Vec::new();
-        for motion in (from..count).map(|index| motions.get_on_workpiece(index).on_positive_side()) {
+        let met = |index| self.half.meets(&motions.get_on_workpiece(index).on_positive_side());
+        for motion in (from..count).map(met) {
             let tool = resolved.tool(&motion);
             outlines.extend(cut(&motion, &turned, tool));
-            turned = turned.after(&motion, tool);
+            turned = turned.after(&motion, tool, self.half);
         }
         region.cut(&outlines);
         region.drop_pieces(is_left_by_facing);
         self.last.replace(Some(Kept { done: count, turned: turned.clone(), region: region.clone() }));
         if count < motions.len() && count < self.done && share > 0.0 {
-            let motion = motions.get_on_workpiece(count).on_positive_side();
+            let motion = met(count);
             region.cut(&cut_so_far(&motion, share, &turned, resolved.tool(&motion)));
             region.drop_pieces(is_left_by_facing);
         }
@@ -288,9 +343,8 @@ fn beyond(outline: &[Point], z: f64, side: f64) -> Vec<Point> {
 fn cut_by(motion: &Motion, share: f64, past: f64, tool: &ResolvedTool) -> Vec<Vec<Point>> {
     let share = within(share, 0.0, 1.0);
     let edge = &tool.takes;
-    let threads = tool.shape.action == Action::Threading && motion.kind == MotionKind::Thread;
     let turns = motion.first_part(share).turns();
-    if let Some(turns) = turns.filter(|&turns| threads && turns <= MAX_TURNS) {
+    if let Some(turns) = turns.filter(|_| cuts_turn_by_turn(motion, tool)) {
         let (first, last) = ((past - SAME).ceil(), (past + turns + SAME).floor());
         let places = (first as u32..=last as u32)
             .map(|turn| motion.share_after(f64::from(turn) - past).unwrap_or(0.0));
@@ -302,6 +356,13 @@ fn cut_by(motion: &Motion, share: f64, past: f64, tool: &ResolvedTool) -> Vec<Ve
         Some(arc) => edge.along(&first_part(chords(&arc), share)).collect(),
         None => vec![edge.along_line(motion.from, between(motion.from, motion.to, share))],
     }
+}
+
+/// Whether a motion cuts the turns of a thread one by one, so that the halves of the section differ.
+pub fn cuts_turn_by_turn(motion: &Motion, tool: &ResolvedTool) -> bool {
+    motion.kind == MotionKind::Thread
+        && tool.shape.action == Action::Threading
+        && motion.turns().is_some_and(|turns| turns <= MAX_TURNS)
 }
 
 /// The first part of a path of equal pieces. It has the same points as the whole path, so that no material

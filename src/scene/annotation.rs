@@ -117,6 +117,8 @@ pub struct Label {
     pub name: &'static str,
     /// The value.
     pub value: Option<Measure>,
+    /// The permitted deviations of the value, lower and upper, mm or degrees.
+    pub deviations: Option<[f64; 2]>,
 }
 
 /// The value of a label.
@@ -147,23 +149,23 @@ pub enum Measure {
 impl Annotation {
     /// The annotation of the word at the cursor.
     pub fn of_word(shape: Shape, name: &'static str, value: Measure) -> Self {
-        Self { shape, label: Label { name, value: Some(value) }, importance: Importance::Required }
+        Self { shape, label: Label::of(name, Some(value)), importance: Importance::Required }
     }
 
     /// The number of a step of a cycle.
     pub fn step(ends: [Point; 2], name: &'static str) -> Self {
-        let label = Label { name, value: None };
+        let label = Label::of(name, None);
         Self { shape: Shape::Step(ends), label, importance: Importance::Usual }
     }
 
     /// A dimension of a part or a cycle.
     pub fn dimension(shape: Shape, name: &'static str, value: Measure) -> Self {
-        Self { shape, label: Label { name, value: Some(value) }, importance: Importance::Usual }
+        Self { shape, label: Label::of(name, Some(value)), importance: Importance::Usual }
     }
 
     /// A name with a leader to a point.
     pub fn note(at: Point, name: &'static str) -> Self {
-        let label = Label { name, value: None };
+        let label = Label::of(name, None);
         Self { shape: Shape::Note(at), label, importance: Importance::Usual }
     }
 
@@ -181,7 +183,7 @@ impl Annotation {
 
     /// A named point of a cycle.
     pub fn point(at: Point, name: &'static str) -> Self {
-        let label = Label { name, value: None };
+        let label = Label::of(name, None);
         Self { shape: Shape::Point(at), label, importance: Importance::Required }
     }
 }
@@ -245,10 +247,18 @@ impl Shape {
 }
 
 impl Label {
+    /// A label without deviations.
+    pub fn of(name: &'static str, value: Option<Measure>) -> Self {
+        Self { name, value, deviations: None }
+    }
+
     /// The text, with lengths in `unit`.
     pub fn text(&self, unit: Unit) -> String {
         let Some(value) = self.value else { return self.name.to_owned() };
-        let text = value.text(unit);
+        let text = match self.deviations {
+            Some(deviations) => [value.text(unit), value.deviations(deviations, unit)].join(" "),
+            None => value.text(unit),
+        };
         match (self.name, value) {
             ("", _) => text,
             (name, Measure::Root(number, _)) => format!("{name}√{number} = {text}"),
@@ -281,6 +291,20 @@ impl Measure {
     }
 }
 
+impl Measure {
+    /// The deviations of the value as in drawings: `±0.1` or `+0.1 −0.05`.
+    fn deviations(self, [lower, upper]: [f64; 2], unit: Unit) -> String {
+        let own = |value: f64| match self {
+            Self::Degrees(_) => Self::Degrees(value).text(unit),
+            _ => Self::Length(value).text(unit),
+        };
+        match (lower + upper).abs() < SAME {
+            true => format!("±{}", own(upper)),
+            false => format!("+{} −{}", own(upper), own(-lower)),
+        }
+    }
+}
+
 fn printed(value: f64) -> String {
     number(value).replace('-', "−")
 }
@@ -291,19 +315,23 @@ mod tests {
 
     #[test]
     fn a_label_has_the_sign_and_digits_of_print() {
-        let text = |value: Measure, unit| Label { name: "", value: Some(value) }.text(unit);
+        let text = |value: Measure, unit| Label::of("", Some(value)).text(unit);
         assert_eq!(text(Measure::Length(-7.5), Unit::Millimetre), "−7.5");
         assert_eq!(text(Measure::Length(25.4 / 3.0), Unit::Inch), "0.3333");
         assert_eq!(text(Measure::Diameter(33.8), Unit::Millimetre), "Ø33.8");
         assert_eq!(text(Measure::Degrees(30.963_756), Unit::Inch), "30.96°");
         assert_eq!(text(Measure::Coordinate('Z', -0.000_04), Unit::Millimetre), "Z0");
-        let depth = Label { name: "Δd", value: Some(Measure::Length(2.0)) };
+        let depth = Label::of("Δd", Some(Measure::Length(2.0)));
         assert_eq!(depth.text(Unit::Millimetre), "Δd = 2");
         // 0.7 · √10 = 2.2136
-        let tenth = Label { name: "Δd", value: Some(Measure::Root(10, 2.213_594)) };
+        let tenth = Label::of("Δd", Some(Measure::Root(10, 2.213_594)));
         assert_eq!(tenth.text(Unit::Millimetre), "Δd√10 = 2.214");
-        let run_in = Label { name: "δ1", value: Some(Measure::AtLeast(2.003)) };
+        let run_in = Label::of("δ1", Some(Measure::AtLeast(2.003)));
         assert_eq!(run_in.text(Unit::Millimetre), "δ1 ≥ 2");
-        assert_eq!(Label { name: "A′", value: None }.text(Unit::Millimetre), "A′");
+        assert_eq!(Label::of("A′", None).text(Unit::Millimetre), "A′");
+        let within = |value, deviations| Label { name: "", value: Some(value), deviations: Some(deviations) };
+        assert_eq!(within(Measure::Diameter(26.0), [-0.1, 0.1]).text(Unit::Millimetre), "Ø26 ±0.1");
+        assert_eq!(within(Measure::Length(20.0), [-0.05, 0.0]).text(Unit::Millimetre), "20 +0 −0.05");
+        assert_eq!(within(Measure::Degrees(15.0), [-0.5, 0.5]).text(Unit::Inch), "15° ±0.5°");
     }
 }

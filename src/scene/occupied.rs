@@ -72,10 +72,12 @@ impl Occupied {
     pub fn of(scene: &Scene, camera: &Camera, strokes: impl Iterator<Item = StrokeShape>) -> Self {
         let mut map = Self::of_strokes(camera, strokes);
         if let Some(work) = scene.work() {
-            let outlines = closed(&work.part).into_iter().chain(closed(&work.obstacles));
-            map.outlines(outlines, scene.plane(), camera);
             let mut thin = Self::empty(camera);
-            thin.outlines(closed(&work.blank).into_iter(), scene.plane(), camera);
+            for &side in scene.plane().sides() {
+                let outlines = closed(work.part_on(side)).into_iter().chain(closed(&work.obstacles));
+                map.outlines(outlines, side, camera);
+                thin.outlines(closed(&work.blank).into_iter(), side, camera);
+            }
             map.thin = thin.cells;
         }
         map
@@ -93,11 +95,11 @@ impl Occupied {
     /// The map of the half-section of a part, above and below the axis.
     pub fn of_part(part: &Region, camera: &Camera) -> Self {
         let mut map = Self::empty(camera);
-        let outlines = part.outlines().map(|outline| {
-            let corners: Vec<Point> = outline.collect();
-            [&corners[..], &corners[..1]].concat()
-        });
-        map.outlines(outlines, Plane::Section, camera);
+        let closed = |outline: Vec<Point>| [&outline[..], &outline[..1]].concat();
+        let outlines: Vec<Vec<Point>> = part.outlines().map(|outline| closed(outline.collect())).collect();
+        for &side in Plane::Section.sides() {
+            map.outlines(outlines.iter().cloned(), side, camera);
+        }
         map
     }
 
@@ -113,6 +115,16 @@ impl Occupied {
         let [columns, rows] = [width, height].map(|length| (length / CELL).ceil() as usize + 1);
         let cells = vec![false; columns * rows];
         Self { columns, rows, thin: cells.clone(), cells, straight: Vec::new() }
+    }
+
+    /// The highest and the lowest place of what is drawn, CSS pixels; `None` if nothing is.
+    pub fn down(&self) -> Option<[f64; 2]> {
+        let is_drawn = |row: &usize| {
+            let cells = row * self.columns..(row + 1) * self.columns;
+            self.cells[cells.clone()].contains(&true) || self.thin[cells].contains(&true)
+        };
+        let (first, last) = ((0..self.rows).find(is_drawn)?, (0..self.rows).rev().find(is_drawn)?);
+        Some([first as f64 * CELL, (last + 1) as f64 * CELL])
     }
 
     /// Whether nothing is drawn in an area but thin lines.
@@ -205,13 +217,12 @@ impl Occupied {
         })
     }
 
-    fn outlines(&mut self, outlines: impl Iterator<Item = Vec<Point>>, plane: Plane, camera: &Camera) {
+    /// The outlines on a side of the axis, as in [`Plane::sides`].
+    fn outlines(&mut self, outlines: impl Iterator<Item = Vec<Point>>, side: f64, camera: &Camera) {
         for outline in outlines {
-            for side in plane.sides() {
-                let corners: Vec<Pixel> =
-                    outline.iter().map(|at| camera.to_screen(Point::new(side * at.x, at.z))).collect();
-                corners.windows(2).for_each(|ends| self.line(ends[0], ends[1]));
-            }
+            let corners: Vec<Pixel> =
+                outline.iter().map(|at| camera.to_screen(Point::new(side * at.x, at.z))).collect();
+            corners.windows(2).for_each(|ends| self.line(ends[0], ends[1]));
         }
     }
 

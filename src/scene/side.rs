@@ -303,7 +303,7 @@ mod tests {
             let at = expected.iter().find(|at| (*at - c).abs() < 4.1).expect("a place");
             assert!(hole.iter().all(|corner| (corner.distance(Point::new(*at, -30.0)) - 4.0).abs() < 0.01));
         }
-        let [cut, _] = work.part_edges(Plane::Side);
+        let [cut, _] = work.part_edges(Plane::Side, 1.0);
         let around = |line: &Vec<Point>| line.iter().any(|at| (at.x - work.bounds().min.x).abs() < 1e-3);
         assert!(
             cut.iter().filter(|line| around(line)).all(|line| line.iter().all(|at| at.z == line[0].z)),
@@ -326,7 +326,7 @@ mod tests {
         assert!((taken(&side, &simulation) + TAU * 30.0 * 10.0).abs() < 1e-3);
         // The seam is not an edge: the part has two pieces, with three edges of the blank and two of the
         // groove.
-        let [cut, _] = work.part_edges(Plane::Side);
+        let [cut, _] = work.part_edges(Plane::Side, 1.0);
         let along: f64 =
             cut.iter().flat_map(|line| line.windows(2)).map(|ends| (ends[0].z - ends[1].z).abs()).sum();
         assert!(along < 1e-6, "{cut:?}");

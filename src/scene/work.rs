@@ -28,6 +28,11 @@ pub struct Work {
     pub blank: Outlines,
     /// The part: the blank without the removed material.
     pub part: Outlines,
+    /// The part on the other side of the axis than the tool, with X positive: the grooves of threads are half a turn
+    /// further there. `None` if it mirrors `part`.
+    opposite: Option<Outlines>,
+    /// Whether `opposite` is above the axis.
+    is_opposite_above: bool,
     /// Whether the blank is given or inferred.
     pub basis: Basis,
     /// The chuck, and the tailstock if it is extended.
@@ -71,9 +76,11 @@ impl Work {
     /// The workpiece at a moment, or at the end of all motions; `None` without a blank.
     pub fn of(simulation: &SimulationResult, motions: &Motions, moment: Option<Moment>) -> Option<Self> {
         let (stock, basis) = simulation.resolved_setup().stock()?;
-        let part = match moment {
-            Some(at) => simulation.part_at(motions, at.motion, at.share),
-            None => simulation.finished(),
+        let (part, opposite) = match moment {
+            Some(Moment { motion, share, .. }) => {
+                (simulation.part_at(motions, motion, share), simulation.opposite_at(motions, motion, share))
+            }
+            None => (simulation.finished(), simulation.opposite_finished()),
         };
         let part = part.unwrap_or_default();
         let last = motions.len().checked_sub(1);
@@ -90,6 +97,8 @@ impl Work {
             id: next_id(),
             blank: outlines(simulation.blank()?),
             part: outlines(&part),
+            opposite: opposite.as_ref().map(outlines),
+            is_opposite_above: simulation.is_opposite_above(),
             basis,
             obstacles: simulation.obstacles(motion.as_ref()).flat_map(outlines).collect(),
             tool,
@@ -121,6 +130,8 @@ impl Work {
             id: next_id(),
             blank: outlines(blank),
             part: outlines(part),
+            opposite: None,
+            is_opposite_above: false,
             basis,
             obstacles: Vec::new(),
             tool,
@@ -150,7 +161,7 @@ impl Work {
 
     /// Replaces the part.
     pub fn with_part(self, part: &Region) -> Self {
-        Self { id: next_id(), part: outlines(part), ..self }
+        Self { id: next_id(), part: outlines(part), opposite: None, ..self }
     }
 
     /// Sets the extent of milling in the section.
@@ -167,22 +178,31 @@ impl Work {
         vec![vec![a, b, c, d, a], vec![a, c], vec![b, d]]
     }
 
-    /// Marks the differences of two parts.
+    /// Marks the differences of two parts, which are those on the side of the tool in both halves.
     pub fn compared_with(self, comparison: &Comparison) -> Self {
         let only = |side: Side| {
             let pieces = comparison.only(side).map(|difference| &difference.piece);
             pieces.flat_map(|piece| [&piece.outline].into_iter().chain(&piece.holes).cloned()).collect()
         };
-        Self { id: next_id(), compared: Some([only(Side::First), only(Side::Second)]), ..self }
+        let compared = Some([only(Side::First), only(Side::Second)]);
+        Self { id: next_id(), compared, opposite: None, ..self }
     }
 
-    /// The edges of the part, in two lists: cut edges, and edges of a blank that is only inferred.
-    pub fn part_edges(&self, plane: Plane) -> [Vec<Vec<Point>>; 2] {
+    /// The part on a side of the axis, as in [`Plane::sides`]; X is positive on both.
+    pub fn part_on(&self, side: f64) -> &Outlines {
+        let is_opposite = (side > 0.0) == self.is_opposite_above;
+        self.opposite.as_ref().filter(|_| is_opposite).unwrap_or(&self.part)
+    }
+
+    /// The edges of the part on a side of the axis, in two lists: cut edges, and edges of a blank that is only
+    /// inferred.
+    pub fn part_edges(&self, plane: Plane, side: f64) -> [Vec<Vec<Point>>; 2] {
+        let part = self.part_on(side);
         let lines = match plane {
-            Plane::Section => edges(&self.part),
-            Plane::Face => closed(&self.part),
+            Plane::Section => edges(part),
+            Plane::Face => closed(part),
             Plane::Side => {
-                let [edges, _] = without(&closed(&self.part), &self.seams);
+                let [edges, _] = without(&closed(part), &self.seams);
                 edges
             }
         };
@@ -286,14 +306,14 @@ mod tests {
         let length = |lines: &[Vec<Point>]| -> f64 {
             lines.iter().flat_map(|line| line.windows(2)).map(|ends| ends[0].distance(ends[1])).sum()
         };
-        let [cut, blank] = grooved(Basis::Inferred).part_edges(Plane::Section);
+        let [cut, blank] = grooved(Basis::Inferred).part_edges(Plane::Section, 1.0);
         assert_eq!(cut.len(), 1, "{cut:?}");
         // Two flanks of 4 mm and a bottom of 5 mm; both ends of the bar and the rest of its outside.
         assert!(
             (length(&cut) - 13.0).abs() < 1e-3 && (length(&blank) - 35.0).abs() < 1e-3,
             "{cut:?} {blank:?}"
         );
-        let [cut, blank] = grooved(Basis::Given).part_edges(Plane::Section);
+        let [cut, blank] = grooved(Basis::Given).part_edges(Plane::Section, 1.0);
         assert!((length(&cut) - 48.0).abs() < 1e-3 && blank.is_empty(), "{cut:?} {blank:?}");
     }
 }

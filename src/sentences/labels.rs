@@ -217,8 +217,8 @@ pub fn length(unit: units::Unit, language: Language) -> &'static str {
 }
 
 /// The legend of a drawing: rapids, cuts, threads; blank, part, chuck and tailstock, a collision, milled
-/// areas; a note that passes on top of each other are drawn side by side.
-pub fn legend(language: Language) -> [&'static str; 9] {
+/// areas; a note that passes on top of each other are drawn side by side; material that another cut leaves.
+pub fn legend(language: Language) -> [&'static str; 10] {
     match language {
         Language::English => [
             "rapid",
@@ -230,6 +230,7 @@ pub fn legend(language: Language) -> [&'static str; 9] {
             "collision",
             "milled, see the end face",
             "passes drawn apart",
+            "left if R is the length of the cone",
         ],
         Language::Chinese => [
             "快速移动",
@@ -241,6 +242,7 @@ pub fn legend(language: Language) -> [&'static str; 9] {
             "碰撞",
             "铣削，见端面视图",
             "各次走刀分开绘制",
+            "R 取锥长时残留的材料",
         ],
         Language::Russian => [
             "ускоренный ход",
@@ -252,6 +254,7 @@ pub fn legend(language: Language) -> [&'static str; 9] {
             "столкновение",
             "фрезеруется, см. торец",
             "проходы разведены на рисунке",
+            "остаётся, если R — длина конуса",
         ],
     }
 }

@@ -447,6 +447,9 @@ fn two_processes(bench: &Bench) {
     assert_eq!(bench.names(), ["part.nc"]);
 }
 
+/// Size of a pipe of Linux, bytes.
+const PIPE: usize = 65_536;
+
 const CHANGED: &str = "changed on disk after it was read, so it is not overwritten; run the command again";
 
 /// Changes a file between the read and the write of a command. The command blocks at that point: its messages
@@ -464,13 +467,14 @@ fn changed_meanwhile(bench: &Bench, arguments: &[&str], name: &str) {
     bench.write(name, changed);
     let mut said = Vec::new();
     reader.read_to_end(&mut said).expect("the rest");
+    assert!(said.len() > PIPE, "{} bytes do not fill the pipe", said.len());
     let output = Output { status: child.wait().expect("a process"), stdout: Vec::new(), stderr: said };
     assert_refused(&output, &format!("{name}: {CHANGED}"));
     assert_eq!((bench.text(name), bench.names()), (changed.to_owned(), vec![name.to_owned()]));
 }
 
 fn changed_before_clean(bench: &Bench) {
-    bench.write("part.nc", format!("O0001\n{}M30\n", "G00 X30 Z–3\n".repeat(3_000)));
+    bench.write("part.nc", format!("O0001\n{}M30\n", "G00 X30 Z–3\n".repeat(6_000)));
     changed_meanwhile(bench, &["clean", "part.nc", "-o", "part.nc"], "part.nc");
 }
 
@@ -480,7 +484,7 @@ fn changed_before_embed(bench: &Bench) {
             "<pre data-gcode-playground{attribute}>\nG00 X1 Z1\nM30\n<svg slot=\"fallback\"></svg></pre>\n\n"
         )
     };
-    bench.write("page.md", element("") + &element(" data-setup=\"{\"").repeat(3_000));
+    bench.write("page.md", element("") + &element(" data-setup=\"{\"").repeat(6_000));
     changed_meanwhile(bench, &["embed", "--fix", "page.md"], "page.md");
 }
 

@@ -5,10 +5,15 @@
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::machine::region::Region;
+use gcode_playground::motion::{MotionKind, Motions};
 use gcode_playground::setup::Setup;
 
-/// The bar of ⌀30 × 60 with the thread that the blocks cut.
+/// The bar of ⌀30 × 60 with the thread that the blocks cut, above the axis.
 fn cut(control: &str, blocks: &str) -> Region {
+    simulated(control, blocks).0.finished().expect("a blank")
+}
+
+fn simulated(control: &str, blocks: &str) -> (SimulationResult, Motions) {
     let setup = format!(
         r#"{{"dialect": {{"control": "{control}", "threadChamfer": 0}},
         "stock": {{"diameter": 30, "length": 60}}, "tools": {{"T0404": {{"type": "threading"}}}}}}"#
@@ -16,7 +21,7 @@ fn cut(control: &str, blocks: &str) -> Region {
     let setup = Setup::from_json(&setup).expect("a setup");
     let program = format!("T0404\nG97 S300 M03\n{blocks}\nG00 X100 Z100\nM30\n");
     let analysis = analyze(program.as_bytes(), &setup);
-    SimulationResult::of(&analysis.motions, &setup).finished().expect("a blank")
+    (SimulationResult::of(&analysis.motions, &setup), analysis.motions)
 }
 
 /// Diameter at a Z.
@@ -57,6 +62,56 @@ fn a_start_angle_moves_the_grooves() {
     // A full turn counts as none, and Q applies only to its own block.
     check("fanuc", "G00 X34 Z8\nG92 X28 Z-30 F4 Q360000", &every(-4.0, 4.0));
     check("fanuc", "G00 X34 Z8\nG92 X29 Z-30 F4 Q180000\nX28", &every(-4.0, 4.0));
+}
+
+/// A helix passes the other side of the axis half a lead further: grooves at -4, -8 are opposite crests.
+#[test]
+fn below_the_axis_the_grooves_are_half_a_lead_further() {
+    let check_below = |blocks: &str, expected: &[f64]| {
+        let (simulation, _) = simulated("fanuc", blocks);
+        let found = grooves(&simulation.opposite_finished().expect("a thread"));
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() < 0.006;
+        assert!(found.len() == expected.len() && found.iter().zip(expected).all(near), "{blocks}: {found:?}");
+    };
+    check_below("G00 X34 Z8\nG92 X28 Z-30 F4", &every(-2.0, 4.0));
+    check_below("G00 X34 Z8\nG92 X28 Z-30 F4 Q90000", &every(-1.0, 4.0));
+    // The insert leaves at -28, after nine whole turns: in no half it cuts a groove all around.
+    check_below("G00 X34 Z8\nG92 X28 Z-28 F4", &every(-2.0, 4.0));
+    // Half the lead is the pitch of two starts, and one and a half pitches of three.
+    check_below("G00 X34 Z8\nG92 X28 Z-30 F4\nX28 Q180000", &every(-2.0, 2.0));
+    check_below("G00 X34 Z6\nG92 X28 Z-30 F6\nX28 Q120000\nX28 Q240000", &every(-1.0, 2.0));
+}
+
+#[test]
+fn only_threads_differ_below_the_axis() {
+    let (plain, motions) = simulated("fanuc", "G00 X34 Z8\nG90 X28 Z-30 F0.2");
+    assert!(plain.opposite_finished().is_none() && plain.opposite_at(&motions, 3, 0.5).is_none());
+
+    let (threaded, motions) = simulated("fanuc", "G00 X34 Z8\nG92 X28 Z-30 F4");
+    let thread =
+        (0..motions.len()).find(|&index| motions.kind(index) == MotionKind::Thread).expect("a thread");
+    let both = |count, share| {
+        let above = threaded.part_at(&motions, count, share).expect("a blank");
+        let below = threaded.opposite_at(&motions, count, share).expect("a thread");
+        (grooves(&above), grooves(&below))
+    };
+    assert!(!threaded.is_opposite_above());
+    assert!(threaded.opposite_at(&motions, thread, 0.0).is_none());
+    // Half of the 38 mm is cut up to Z-11: grooves above at -4 and -8, below at -2, -6 and -10.
+    let (above, below) = both(thread, 0.5);
+    assert!(above.len() == 2 && below.len() == 3, "{above:?} {below:?}");
+    let (above, below) = both(thread + 1, 0.0);
+    assert!((above.len(), below.len()) == (7, 7), "{above:?} {below:?}");
+}
+
+/// A tool at -X cuts on its own side when the mark passes: at -4 and -8.
+#[test]
+fn the_tool_at_negative_x_cuts_the_half_below_the_axis() {
+    let (simulation, _) = simulated("fanuc", "G00 X-34 Z8\nX-28\nG32 Z-30 F4\nG00 X-34");
+    assert!(simulation.is_opposite_above());
+    let [tool, opposite] = [simulation.finished(), simulation.opposite_finished()];
+    let [tool, opposite] = [tool, opposite].map(|half| grooves(&half.expect("a blank")));
+    assert!((tool[0] + 4.0).abs() < 0.006 && (opposite[0] + 2.0).abs() < 0.006, "{tool:?} {opposite:?}");
 }
 
 #[test]

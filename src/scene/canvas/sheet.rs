@@ -97,12 +97,13 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         let lines = |lines: &Outlines| -> Vec<Piece> {
             lines.iter().flat_map(|line| clip::polyline(&corners(line), camera.size())).collect()
         };
-        let (blank, part, obstacles) = (areas(&work.blank), areas(&work.part), areas(&work.obstacles));
+        let (blank, part, obstacles) =
+            (areas(&work.blank), areas(work.part_on(*side)), areas(&work.obstacles));
         let blank_edges = match scene.plane() {
             Plane::Section => lines(&edges(&work.blank)),
             Plane::Face | Plane::Side => lines(&closed(&work.blank)),
         };
-        let [cut, left] = work.part_edges(scene.plane());
+        let [cut, left] = work.part_edges(scene.plane(), *side);
         pen.opacity(1.0);
         pen.fill(&palette.stock, blank.iter().map(Vec::as_slice));
         pen.polylines(&palette.stock_edge, &blank_edges, 1.0, blank_dash(work.basis))?;

@@ -82,12 +82,15 @@ impl Placing<'_> {
         Some(Annotation::note(detail.at, name))
     }
 
-    /// A free area of a size: from the lower right corner to the left and up.
+    /// A free area of a size, from right to left: below the picture as high as possible, or else as low as possible.
     fn free_area(&self, [width, height]: [f64; 2]) -> Option<Rectangle> {
         let [across, down] = self.inside(2.0);
         let steps = |room: f64| if room < 0.0 { 0 } else { (room / ROW_STEP) as usize + 1 };
         let columns = steps(across[1] - across[0] - width);
+        let first = self.occupied.down().map_or(down[0], |[_, lowest]| lowest) + height;
+        let below = (0..steps(down[1] - first)).map(|step| first + ROW_STEP * step as f64);
         let lines = (0..steps(down[1] - down[0] - height)).map(|step| down[1] - ROW_STEP * step as f64);
+        let lines = below.chain(lines);
         let mut areas = lines.flat_map(|bottom| {
             (0..columns).map(move |step| {
                 let right = across[1] - ROW_STEP * step as f64;

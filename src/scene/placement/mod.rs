@@ -85,6 +85,16 @@ pub struct Placed {
     pub omitted: Vec<String>,
 }
 
+impl Placed {
+    /// The highest and the lowest place of the lines and labels, CSS pixels; `None` if there are none.
+    pub fn down(&self) -> Option<[f64; 2]> {
+        let lines = self.lines.iter().chain(&self.edges).flatten().chain(&self.dots).map(|at| at.y);
+        let areas = self.labels.iter().flat_map(|label| [label.area.min.y, label.area.max.y]);
+        let all = lines.chain(areas).map(|y| [y, y]);
+        all.reduce(|[least, most], [y, _]| [least.min(y), most.max(y)])
+    }
+}
+
 /// The estimated width of a text in the font of labels, CSS pixels; a little more than the true one.
 pub fn text_width(text: &str) -> f64 {
     let width = |character: char| match character {

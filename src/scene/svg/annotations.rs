@@ -9,7 +9,8 @@ use super::super::occupied::{Occupied, Rectangle};
 use super::super::palette::Palette;
 use super::super::placement::{DOT, END, place};
 use super::caption::escaped;
-use super::{Drawing, SvgOptions, drawn, number, pixel, polylines};
+use super::{Contents, Drawing, SvgOptions, drawn, number, pixel, polylines};
+use crate::geometry::Point;
 
 /// Style rules of annotations.
 pub(super) const SHAPES: &str = "\
@@ -27,6 +28,14 @@ pub(super) fn colours(palette: &Palette) -> String {
 }
 
 impl Drawing {
+    /// The highest and the lowest place of the part, CSS pixels.
+    fn part_down(&self, scene: &Scene) -> Option<[f64; 2]> {
+        let corners = scene.work()?.part.iter().flatten();
+        let sides = corners.flat_map(|at| [at.x, -at.x].map(|x| Point::new(x, at.z)));
+        let all = sides.map(|at| self.camera.to_screen(at).y).map(|y| [y, y]);
+        all.reduce(|[least, most], [y, _]| [least.min(y), most.max(y)])
+    }
+
     /// Draws annotations over the strokes; their labels cover no stroke.
     pub(super) fn annotations(&mut self, scene: &Scene, options: &SvgOptions) {
         if options.annotations.is_empty() {
@@ -40,6 +49,14 @@ impl Drawing {
         let strokes = drawn(scene, options).map(|stroke| self.apart.directed(&stroke));
         let occupied = Occupied::of(scene, &self.camera, strokes);
         let placed = place(&annotations, &occupied, &self.camera, options.scale.unit);
+        let axis = [self.camera.to_screen(Point::default()).y; 2];
+        let drawn = match options.contents {
+            Contents::All => occupied.down(),
+            // Blank and obstacles are not drawn.
+            Contents::Part => self.part_down(scene),
+        };
+        let all = [drawn, placed.down(), Some(axis)].into_iter().flatten();
+        self.down = all.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
         let mut heads = String::new();
         for [tip, a, b] in &placed.heads {
             let _ = write!(heads, "M{}L{}L{}Z", pixel(*tip), pixel(*a), pixel(*b));

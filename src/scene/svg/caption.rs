@@ -2,6 +2,7 @@
 //!
 //! In: a scene and the words. Out: rows of text with samples, as wide as the drawing. Knows no language.
 
+use super::super::annotation::Shape;
 use super::super::{Scene, StrokeStyle};
 use super::{Contents, Drawing, SvgOptions, drawn, number};
 use crate::source::is_unprintable;
@@ -27,8 +28,8 @@ pub struct Caption {
 /// The samples of a legend, each as the text before and after the coordinates of its left middle.
 ///
 /// Rapids, cuts, threads; the blank where material was removed, the part, chuck and tailstock, a collision,
-/// milling under G12.1; a note that passes are displaced.
-pub const LEGEND: [[&str; 2]; 9] = [
+/// milling under G12.1; a note that passes are displaced; the material of a zone.
+pub const LEGEND: [[&str; 2]; 10] = [
     [r#"<g><path class="rapid" d="M"#, r#"h24"/></g>"#],
     [r#"<g><path class="feed" d="M"#, r#"h24"/></g>"#],
     [r#"<g><path class="thread" d="M"#, r#"h24"/></g>"#],
@@ -38,6 +39,7 @@ pub const LEGEND: [[&str; 2]; 9] = [
     [r#"<path class="danger" d="M"#, r#"m4 0a8 8 0 1 0 16 0a8 8 0 1 0 -16 0m4 -4l8 8m0 -8l-8 8"/>"#],
     [r#"<path class="milled" d="M"#, r#"m0 -6h24v12h-24zl24 12m0 -12l-24 12"/>"#],
     ["", ""],
+    [r#"<path class="hatch" d="M"#, r#"m0 -6h24v12h-24zl12 12m-6 -12l12 12m-6 -12l12 12"/>"#],
 ];
 
 impl Drawing {
@@ -106,6 +108,7 @@ impl Drawing {
             there[7] = work.milled.is_some();
         }
         there[8] = self.apart.has_passes;
+        there[9] = options.annotations.iter().any(|own| matches!(own.shape, Shape::Zone { .. }));
         there
     }
 }

@@ -122,6 +122,9 @@ impl SvgOptions {
     }
 }
 
+/// Space above and below an annotated picture on paper, CSS pixels.
+const MARGIN: f64 = 12.0;
+
 /// Space around an annotated picture, CSS pixels.
 const ROOM_FOR_LABELS: f64 = 64.0;
 
@@ -150,7 +153,7 @@ pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
         (Plane::Section, Passes::Apart) => Apart::of(scene, has_detail, 1.0 / camera.scale()),
         (Plane::Section, Passes::InPlace) | (Plane::Face | Plane::Side, _) => Apart::default(),
     };
-    let mut drawing = Drawing { text: String::new(), camera, apart };
+    let mut drawing = Drawing { text: String::new(), camera, apart, down: None };
     drawing.all(scene, options);
     drawing.text
 }
@@ -235,23 +238,33 @@ struct Drawing {
     text: String,
     camera: Camera,
     apart: Apart,
+    /// The highest and the lowest place of an annotated picture, CSS pixels.
+    down: Option<[f64; 2]>,
 }
 
 impl Drawing {
     fn all(&mut self, scene: &Scene, options: &SvgOptions) {
         let Size { width, height } = self.camera.size();
         let is_print = options.ground == Ground::Print;
-        // Without rulers their space is cut off.
-        let [left, bottom] = if is_print { [LEFT_RULER, height - BOTTOM_RULER] } else { [0.0, height] };
+        self.picture(scene, options);
+        let picture = std::mem::take(&mut self.text);
+        // Without rulers their space is cut off, and so is that above and below an annotated picture.
+        let [left, top, bottom] = match (is_print, self.down.filter(|_| options.height.is_none())) {
+            (true, Some([highest, lowest])) => {
+                [LEFT_RULER, (highest - MARGIN).max(0.0), (lowest + MARGIN).min(height - BOTTOM_RULER)]
+            }
+            (true, None) => [LEFT_RULER, 0.0, height - BOTTOM_RULER],
+            (false, _) => [0.0, 0.0, height],
+        };
         // The height of the caption is only known once it is written.
         let under = options.caption.as_ref().map(|caption| {
             let high = self.caption(scene, caption, options, [left, bottom]);
             (high, std::mem::take(&mut self.text))
         });
-        let whole = bottom + under.as_ref().map_or(0.0, |(high, _)| *high);
-        let [x, w, h] = [left, width - left, whole].map(number);
+        let whole = bottom - top + under.as_ref().map_or(0.0, |(high, _)| *high);
+        let [x, y, w, h] = [left, top, width - left, whole].map(number);
         self.line(&format!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" class="lathe" role="img" viewBox="{x} 0 {w} {h}" width="{w}" height="{h}">"#
+            r#"<svg xmlns="http://www.w3.org/2000/svg" class="lathe" role="img" viewBox="{x} {y} {w} {h}" width="{w}" height="{h}">"#
         ));
         if let Some(caption) = options.caption.as_ref().filter(|caption| !caption.title.is_empty()) {
             self.line(&format!("<title>{}</title>", caption::escaped(&caption.title)));
@@ -273,12 +286,30 @@ impl Drawing {
             self.line(PRINT);
         }
         self.line("</style>");
-        let from = if is_print { format!(r#" x="{x}""#) } else { String::new() };
-        self.line(&format!(r#"<rect class="background"{from} width="{w}" height="{h}"/>"#));
-        let (x, w, h) = (number(LEFT_RULER), number(width - LEFT_RULER), number(height - BOTTOM_RULER));
-        self.line(&format!(r#"<svg x="{x}" width="{w}" height="{h}" viewBox="{x} 0 {w} {h}">"#));
-        let [along, across] = scene.axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
+        let [from, down] = match is_print {
+            true => [format!(r#" x="{x}""#), format!(r#" y="{y}""#)],
+            false => [String::new(), String::new()],
+        };
+        self.line(&format!(r#"<rect class="background"{from}{down} width="{w}" height="{h}"/>"#));
+        let bottom = bottom.min(height - BOTTOM_RULER);
+        let [x, y, w, h] = [LEFT_RULER, top, width - LEFT_RULER, bottom - top].map(number);
+        self.line(&format!(r#"<svg x="{x}"{down} width="{w}" height="{h}" viewBox="{x} {y} {w} {h}">"#));
+        self.text.push_str(&picture);
+        self.line("</svg>");
         if !is_print {
+            let [along, across] = scene.axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
+            self.rulers(scene.axes(), options.scale.symbol, &along, &across);
+        }
+        if let Some((_, rows)) = under {
+            self.text.push_str(&rows);
+        }
+        self.line("</svg>");
+    }
+
+    /// The picture without rulers and caption.
+    fn picture(&mut self, scene: &Scene, options: &SvgOptions) {
+        let [along, across] = scene.axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
+        if options.ground != Ground::Print {
             self.grid(&along, &across);
         }
         self.work(scene, options.contents);
@@ -297,14 +328,6 @@ impl Drawing {
         }
         self.annotations(scene, options);
         self.legend(&options.legend);
-        self.line("</svg>");
-        if !is_print {
-            self.rulers(scene.axes(), options.scale.symbol, &along, &across);
-        }
-        if let Some((_, rows)) = under {
-            self.text.push_str(&rows);
-        }
-        self.line("</svg>");
     }
 
     fn grid(&mut self, along: &[Tick], across: &[Tick]) {
@@ -332,7 +355,7 @@ impl Drawing {
                 outlines.iter().map(|outline| outline.iter().map(place).collect()).collect()
             };
             let camera = &self.camera;
-            let (part, zero) = (seen(&work.part, camera), camera.to_screen(Point::default()));
+            let (part, zero) = (seen(work.part_on(*side), camera), camera.to_screen(Point::default()));
             // Only the section is hatched; the other pictures are views from outside.
             let hatching = |outlines: &[Vec<Pixel>]| -> String {
                 let lines = match scene.plane() {
@@ -347,7 +370,7 @@ impl Drawing {
                 Plane::Section => edges(&work.blank),
                 Plane::Face | Plane::Side => closed(&work.blank),
             };
-            let [cut, left] = work.part_edges(scene.plane());
+            let [cut, left] = work.part_edges(scene.plane(), *side);
             let lines = |lines: &Vec<Vec<Point>>| polylines(&seen(lines, camera), "");
             let shapes = [
                 ("blank", polylines(&seen(&work.blank, camera), "Z")),

@@ -57,7 +57,7 @@ pub fn overlay(programs: [&Motions; 2], legend: &[String; 3], options: &SvgOptio
         join(Some(scenes[0].bounds()), Some(scenes[1].bounds())).unwrap_or_else(|| scenes[0].bounds());
     let size = size(bounds, options);
     let camera = Camera::fit_with(bounds, size, options.x_plus);
-    let mut drawing = Drawing { text: String::new(), camera, apart: Apart::default() };
+    let mut drawing = Drawing { text: String::new(), camera, apart: Apart::default(), down: None };
     drawing.overlay(&scenes, legend, options);
     drawing.text
 }
