@@ -10,6 +10,7 @@ use crate::control::words::plain;
 use crate::message::{Diagnostic, said};
 use crate::references::{References, Target};
 use crate::run::{Analysis, analyze};
+use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
 use crate::source::Span;
@@ -33,6 +34,46 @@ pub enum Difference {
     Motions(Span),
     /// The messages differ.
     Messages,
+}
+
+impl Difference {
+    /// Where the programs differ, in the original text.
+    pub fn span(self) -> Option<Span> {
+        match self {
+            Self::Block(span) | Self::Reference(span) | Self::Motions(span) => Some(span),
+            Self::OtherControl | Self::Messages => None,
+        }
+    }
+
+    /// Why the text stays as it is.
+    pub fn reason(self, language: Language) -> &'static str {
+        let [english, chinese, russian] = match self {
+            Self::OtherControl => [
+                "it is a program for another control",
+                "这是其他控制系统的程序",
+                "это программа для другой системы ЧПУ",
+            ],
+            Self::Block(_) => {
+                ["the block would read differently", "该程序段的含义会改变", "кадр читался бы иначе"]
+            }
+            Self::Reference(_) => [
+                "the number would lead to another block",
+                "顺序号会指向另一程序段",
+                "номер указывал бы на другой кадр",
+            ],
+            Self::Motions(_) => [
+                "the motions would differ from this block on",
+                "从该程序段起运动会不同",
+                "с этого кадра перемещения были бы другими",
+            ],
+            Self::Messages => ["the messages would differ", "提示信息会不同", "сообщения были бы другими"],
+        };
+        match language {
+            Language::English => english,
+            Language::Chinese => chinese,
+            Language::Russian => russian,
+        }
+    }
 }
 
 /// The first difference; `None` if both texts are the same program.

@@ -8,8 +8,9 @@ use crate::assist::names::Scope;
 use crate::message::Edit;
 use crate::order;
 use crate::references::{MAX_CALLERS, Numbered, Reached, Reference, References, Target};
+use crate::sentences::Language;
 use crate::setup::dialect::{CodeList, Control};
-use crate::source::Span;
+use crate::source::{LineIndex, Span};
 use crate::text::block::{Block, BlockKind};
 use crate::text::lexer::{Lexer, TokenKind};
 use crate::text::parser::Parser;
@@ -105,6 +106,86 @@ pub enum Reason {
         /// The largest number.
         most: u32,
     },
+}
+
+impl Refused {
+    /// Why the numbers stay. `text`: that of the [`Source`].
+    pub fn reason(&self, text: &[u8], language: Language) -> String {
+        let word = self.span.quote(text);
+        let word = word.trim();
+        let line = |span: Span| LineIndex::new(text).line_of(span.start) + 1;
+        use Language::{Chinese, English, Russian};
+        match (self.reason, language) {
+            (Reason::Computed, English) => format!("`{word}` is known only at run time, so it cannot follow"),
+            (Reason::Computed, Chinese) => format!("`{word}` 的值在运行时才能确定，无法同步更改"),
+            (Reason::Computed, Russian) => format!("`{word}` известно только при выполнении"),
+            (Reason::Unreadable, English) => format!("`{word}` is not written as plain digits"),
+            (Reason::Unreadable, Chinese) => format!("`{word}` 中的顺序号不是只用数字写成的"),
+            (Reason::Unreadable, Russian) => format!("номер в `{word}` записан не только цифрами"),
+            (Reason::NotWellFormed, English) => {
+                "this block is not well formed and may refer to a block".to_owned()
+            }
+            (Reason::NotWellFormed, Chinese) => "该程序段格式有误，可能引用了其他程序段".to_owned(),
+            (Reason::NotWellFormed, Russian) => {
+                "этот кадр записан неверно и может указывать на другой кадр".to_owned()
+            }
+            (Reason::Missing { number }, English) => {
+                format!("`{word}` refers to N{number}, and no such block is there")
+            }
+            (Reason::Missing { number }, Chinese) => format!("`{word}` 指向 N{number}，但没有该程序段"),
+            (Reason::Missing { number }, Russian) => {
+                format!("`{word}` указывает на N{number}, а такого кадра нет")
+            }
+            (Reason::Twice { number, second }, English) => {
+                format!("`{word}` refers to N{number}, which is there again in line {}", line(second))
+            }
+            (Reason::Twice { number, second }, Chinese) => {
+                format!("`{word}` 指向 N{number}，但该顺序号出现两次，另一处在第 {} 行", line(second))
+            }
+            (Reason::Twice { number, second }, Russian) => {
+                format!("`{word}` указывает на N{number}, а этот номер повторяется в строке {}", line(second))
+            }
+            (Reason::SeveralCallers { number }, English) => {
+                format!("`{word}` refers to N{number} of several programs, which get different numbers")
+            }
+            (Reason::SeveralCallers { number }, Chinese) => {
+                format!("`{word}` 指向多个程序中的 N{number}，而这些程序段的新顺序号各不相同")
+            }
+            (Reason::SeveralCallers { number }, Russian) => {
+                format!(
+                    "`{word}` указывает на N{number} в нескольких программах, а новые номера этих кадров различны"
+                )
+            }
+            (Reason::TooManyCallers { most }, English) => {
+                format!("`{word}` refers to blocks of more than {most} programs")
+            }
+            (Reason::TooManyCallers { most }, Chinese) => {
+                format!("`{word}` 所指的程序段分布在 {most} 个以上的程序中")
+            }
+            (Reason::TooManyCallers { most }, Russian) => {
+                format!("`{word}` указывает на кадры более чем {most} программ")
+            }
+            (Reason::OtherFile { number }, English) => {
+                format!("a subprogram in another file refers to N{number}")
+            }
+            (Reason::OtherFile { number }, Chinese) => format!("另一文件中的子程序指向 N{number}"),
+            (Reason::OtherFile { number }, Russian) => {
+                format!("на N{number} указывает подпрограмма в другом файле")
+            }
+            (Reason::Variable, English) => {
+                format!("`{word}` is the number of a block, which the program computes with")
+            }
+            (Reason::Variable, Chinese) => format!("`{word}` 的值是顺序号，程序会用到它"),
+            (Reason::Variable, Russian) => {
+                format!("`{word}` содержит номер кадра, и программа использует это значение")
+            }
+            (Reason::TooLarge { most }, English) => {
+                format!("the number of this block would be above N{most}")
+            }
+            (Reason::TooLarge { most }, Chinese) => format!("该程序段的顺序号会超过 N{most}"),
+            (Reason::TooLarge { most }, Russian) => format!("номер этого кадра был бы больше N{most}"),
+        }
+    }
 }
 
 /// The edits that renumber a text, sorted by position, not overlapping.

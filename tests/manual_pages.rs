@@ -83,7 +83,8 @@ fn exercise(text: &str, example: &str) -> Vec<String> {
 }
 
 fn files() -> BTreeMap<String, String> {
-    pages::files(&folder()).unwrap_or_else(|mistakes| panic!("{mistakes}"))
+    let exercises = folder().with_file_name("exercises");
+    pages::files(&folder(), &exercises).unwrap_or_else(|mistakes| panic!("{mistakes}"))
 }
 
 #[test]
@@ -143,6 +144,32 @@ fn headings_have_the_anchors_of_the_english_page() {
         let html = &files[&format!("{language}/g90.html")];
         assert!(html.contains("<h2 id=\"step-by-step\">"), "{language}");
     }
+}
+
+/// In the order of the course, with their titles in the language of the page.
+#[test]
+fn a_page_links_to_its_exercises() {
+    let files = files();
+    let exercises = |name: &str| -> Vec<String> {
+        let list = between(&files[name], "<section class=\"exercises\">", "</section>");
+        list.iter().flat_map(|list| between(list, "#exercise=", "</a>")).map(str::to_owned).collect()
+    };
+    let [english, russian] = ["en", "ru"].map(|language| exercises(&format!("{language}/g94.html")));
+    assert_eq!(
+        english,
+        [
+            "face-step\">A short step on a large bar",
+            "cone-face\">A pin with a conical shoulder",
+            "undercut\">The cone that is too flat"
+        ]
+    );
+    assert!(russian.len() == 3 && russian[0].starts_with("face-step\">"), "{russian:?}");
+    assert_eq!(exercises("en/axes.html"), [""; 0]);
+    let all = files.iter().filter(|(name, _)| name.starts_with("zh/") && name.ends_with(".html"));
+    assert_eq!(all.map(|(name, _)| exercises(name).len()).sum::<usize>(), 24);
+    let programs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
+    let own = pages::without_page(&files, &programs).expect("pages");
+    assert!(!own["en/g94.html"].contains("exercise="));
 }
 
 /// The frame page of the package has no gallery.

@@ -19,6 +19,7 @@ mod rewrite;
 mod rules;
 mod settings;
 pub mod setup;
+mod tidied;
 mod units;
 
 use serde::Serialize;
@@ -30,6 +31,7 @@ pub use read_as::{ReadAs, ReadFact};
 pub use readout::{Readout, Shown, Stop, Time};
 pub use rewrite::Rewriting;
 pub use rules::{Rule, RulePage};
+pub use tidied::Tidied;
 pub use units::Units;
 
 use crate::control::codes;

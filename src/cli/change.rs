@@ -14,6 +14,7 @@ use crate::message::Edit;
 use crate::message::applied;
 use crate::proof::{Difference, difference};
 use crate::run::subprograms::Joined;
+use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::source::{LineIndex, Span};
 
@@ -103,14 +104,8 @@ impl Source {
     }
 
     fn refusal(&self, found: Difference, action: &str) -> String {
-        let (place, why) = match found {
-            Difference::OtherControl => (None, "it is a program for another control"),
-            Difference::Block(span) => (Some(span), "the block would read differently"),
-            Difference::Reference(span) => (Some(span), "the number would lead to another block"),
-            Difference::Motions(span) => (Some(span), "the motions would differ from this block on"),
-            Difference::Messages => (None, "the messages would differ"),
-        };
-        let name = place.map_or_else(|| self.name.clone(), |span| self.place(span));
+        let why = found.reason(Language::English);
+        let name = found.span().map_or_else(|| self.name.clone(), |span| self.place(span));
         format!("{name}: not {action}: {why}")
     }
 
@@ -120,7 +115,7 @@ impl Source {
     }
 
     /// The line of a span, from 1.
-    pub fn line(&self, span: Span) -> u32 {
+    fn line(&self, span: Span) -> u32 {
         LineIndex::new(self.run_text()).line_of(span.start) + 1
     }
 

@@ -8,8 +8,9 @@ use super::Status;
 use super::change::{Output, Source};
 use super::configuration::Configurations;
 use super::options::ProgramOptions;
-use crate::renumber::{self, Blocks, Numbering, Reason, Refused, edits};
+use crate::renumber::{self, Blocks, Numbering, Refused, edits};
 use crate::run::analyze;
+use crate::sentences::Language;
 
 /// The arguments of `renumber`.
 #[derive(clap::Args)]
@@ -61,25 +62,6 @@ pub(super) fn run(renumber: &Renumber) -> Result<Status, String> {
 
 /// Why the numbers stay: `part.nc:5: not renumbered: …`.
 fn sentence(source: &Source, refused: &Refused) -> String {
-    let word = refused.span.quote(source.run_text());
-    let word = word.trim();
-    let why = match refused.reason {
-        Reason::Computed => format!("`{word}` is known only at run time, so it cannot follow"),
-        Reason::Unreadable => format!("`{word}` is not written as plain digits"),
-        Reason::NotWellFormed => "this block is not well formed and may refer to a block".to_owned(),
-        Reason::Missing { number } => format!("`{word}` refers to N{number}, and no such block is there"),
-        Reason::Twice { number, second } => {
-            format!("`{word}` refers to N{number}, which is there again in line {}", source.line(second))
-        }
-        Reason::SeveralCallers { number } => {
-            format!("`{word}` refers to N{number} of several programs, which get different numbers")
-        }
-        Reason::TooManyCallers { most } => {
-            format!("`{word}` refers to blocks of more than {most} programs")
-        }
-        Reason::OtherFile { number } => format!("a subprogram in another file refers to N{number}"),
-        Reason::Variable => format!("`{word}` is the number of a block, which the program computes with"),
-        Reason::TooLarge { most } => format!("the number of this block would be above N{most}"),
-    };
+    let why = refused.reason(source.run_text(), Language::English);
     format!("{}: not renumbered: {why}", source.place(refused.span))
 }

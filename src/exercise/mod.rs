@@ -59,6 +59,8 @@ pub struct Exercise {
     pub program: String,
     /// The wanted part.
     pub target: Target,
+    /// The tolerance of sizes without their own, mm.
+    pub tolerance: Tolerance,
     /// What is checked besides the part.
     pub checks: Checks,
     /// Title, task and hints in English, Chinese and Russian; at least one language is present.

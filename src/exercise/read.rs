@@ -80,6 +80,7 @@ pub(super) fn read(text: &str) -> Result<Exercise, ReadError> {
         setup,
         setup_text: code.text(),
         target,
+        tolerance: head.tolerance,
         checks: head.checks,
         texts,
     })

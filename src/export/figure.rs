@@ -5,14 +5,9 @@
 
 use crate::figures;
 use crate::machine::SimulationResult;
-use crate::machine::region::Region;
 use crate::motion::Motions;
 use crate::run::Run;
-use crate::scene::Scene;
-use crate::scene::path_index::PathIndex;
-use crate::scene::svg::{Contents, Passes, SvgOptions, svg};
-use crate::scene::work::Work;
-use crate::setup::Setup;
+use crate::scene::svg::{Contents, Passes, SvgOptions};
 use crate::source::LineIndex;
 
 /// What a figure explains.
@@ -98,17 +93,6 @@ impl Subject {
             }
         }
     }
-}
-
-/// The drawing of a part that no program has made, with its dimensions; `None` if `setup` has no blank.
-pub fn part_drawing(part: &Region, setup: &Setup, options: SvgOptions) -> Option<String> {
-    let motions = Motions::default();
-    let simulation = SimulationResult::of(&motions, setup);
-    let work = Work::of(&simulation, &motions, None)?.with_part(part);
-    let annotations = figures::of_part(part, &[], &motions);
-    let path_index = PathIndex::of(&motions);
-    let scene = Scene::new(&motions, &path_index, Some(&work));
-    Some(svg(&scene, &SvgOptions { annotations, contents: Contents::Part, ..options }))
 }
 
 /// First and last byte of a line, from 1.

@@ -11,3 +11,4 @@ pub mod figure;
 pub mod file;
 pub mod profile;
 pub mod stl;
+pub mod wanted_part;

@@ -117,7 +117,7 @@ impl Occupied {
         Self { columns, rows, thin: cells.clone(), cells, straight: Vec::new() }
     }
 
-    /// The highest and the lowest place of what is drawn, CSS pixels; `None` if nothing is.
+    /// The highest and the lowest place of all strokes and edges, CSS pixels; `None` without any.
     pub fn down(&self) -> Option<[f64; 2]> {
         let is_drawn = |row: &usize| {
             let cells = row * self.columns..(row + 1) * self.columns;

@@ -4,7 +4,9 @@
 
 use super::labels;
 use super::language::Language;
-use crate::exercise::{Cause, Check, Checked, Finding, Measured, Place, Quantity, Range, Slip, Verdict};
+use crate::exercise::{
+    Cause, Check, Checked, Finding, Measured, Place, Quantity, Range, Slip, Tolerance, Verdict,
+};
 use crate::setup::dialect::FeedMode;
 use crate::setup::fields;
 use crate::units::{Unit, number};
@@ -88,6 +90,15 @@ pub fn describe_verdict(verdict: &Verdict, language: Language) -> String {
         Verdict::NoPart => {
             language.among(["No part is made", "没有加工出零件", "Деталь не получается"]).to_owned()
         }
+    }
+}
+
+/// The tolerance of sizes without their own, below a drawing.
+pub fn general_tolerance(tolerance: Tolerance, language: Language) -> String {
+    match language {
+        Language::English => format!("General tolerance {tolerance} mm"),
+        Language::Chinese => format!("未注线性尺寸公差 {tolerance} mm"),
+        Language::Russian => format!("Неуказанные предельные отклонения линейных размеров {tolerance} мм"),
     }
 }
 

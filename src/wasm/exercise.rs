@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 use super::{Playground, to_js};
 use crate::api::exercise::{AnswerReport, ExerciseBlocks, ExerciseRead, Graded};
 use crate::exercise::{Exercise, NoTarget, blocks_of_exercise, check};
-use crate::export::figure::part_drawing;
+use crate::export::wanted_part;
 use crate::parts::late;
 use crate::scene::svg::{Ground, SvgOptions};
 
@@ -26,7 +26,7 @@ impl Playground {
     /// The drawing of the wanted part, as SVG; `undefined` if the file has a fault.
     #[wasm_bindgen(js_name = exerciseDrawing)]
     pub fn exercise_drawing(&self, text: &str) -> Option<String> {
-        drawing(text)
+        drawing(self, text)
     }
 
     /// Checks the program as the answer to an exercise; `undefined` if the file has a fault. The picture compares a part
@@ -54,10 +54,10 @@ late! {
         to_js(&ExerciseRead::new(text, playground.language))
     }
 
-    fn drawing(text: &str) -> Option<String> {
+    fn drawing(playground: &Playground, text: &str) -> Option<String> {
         let exercise = Exercise::read(text).ok()?;
         let options = SvgOptions { ground: Ground::Paper, ..SvgOptions::default() };
-        part_drawing(&exercise.target.region, &exercise.setup, options.on_paper(DRAWING_WIDTH))
+        wanted_part::drawing(&exercise, options.on_paper(DRAWING_WIDTH), playground.language)
     }
 
     fn blocks(playground: &Playground) -> Result<JsValue, JsValue> {

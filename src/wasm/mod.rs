@@ -18,6 +18,7 @@ mod playback;
 mod profiles;
 mod rewrite;
 mod setup;
+mod tidied;
 
 pub use motions::{MotionChunk, MotionChunkView};
 pub use picture_name::PictureName;
@@ -421,6 +422,7 @@ entry! { Late install_late {
     profiles::install();
     rewrite::install();
     setup::install();
+    tidied::install();
     crate::control::interpreter::contours::install();
     crate::control::interpreter::cycle_moves::install();
     crate::control::interpreter::output::install();

@@ -1,9 +1,9 @@
 // Exercises: a learner opens one, fails, takes a hint, passes, and finds the work and the progress again.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { manual, openHtml } from './embedded';
+import { FOREIGN, manual, openHtml } from './embedded';
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { choose, chooseLanguage, open, settled, type, type Playground } from './page';
+import { choose, chooseLanguage, editor, open, settled, titleText, type, type Playground } from './page';
 
 const course = join(__dirname, '../../www/exercises/course.json');
 const ids = JSON.parse(readFileSync(course, 'utf8')) as readonly string[];
@@ -24,6 +24,7 @@ test('a learner fails, takes a hint, passes, reloads and goes on', async ({ page
   await list.getByRole('link').first().click();
   await expect(page.locator('.exercise-task')).toContainText(/\S/);
   await expect(page.getByRole('img', { name: 'Drawing of the part' })).toBeVisible();
+  await expect(titleText(page)).toHaveText('Exercise');
 
   await type(page, 'G00 X100 Z100\nM30');
   await check(page);
@@ -46,6 +47,49 @@ test('a learner fails, takes a hint, passes, reloads and goes on', async ({ page
   await openList(page);
   await expect(list.getByRole('status')).toContainText(`1 of ${ids.length} passed`);
   await expect(list.getByRole('link', { name: 'Certificate' })).toBeVisible();
+});
+
+test('the task is printed with an empty form, and the program with its task', async ({ page }) => {
+  await page.addInitScript(() => {
+    window.print = () => {
+      dispatchEvent(new Event('beforeprint'));
+      const sheet = document.querySelector('gcode-playground')?.shadowRoot?.querySelector('.sheet');
+      const drawing = sheet?.querySelector('img');
+      Reflect.set(window, 'printed', {
+        text: sheet?.textContent ?? '',
+        rows: sheet?.querySelectorAll('.sheet-form tbody tr').length,
+        drawing: drawing === undefined || drawing === null ? 0 : drawing.naturalWidth,
+      });
+      dispatchEvent(new Event('afterprint'));
+    };
+  });
+  await open(page, `#exercise=${id}`);
+  await expect(page.locator('.exercise-task')).toContainText(/\S/);
+  const task = ((await page.locator('.exercise-task').textContent()) ?? '').trim();
+  await expect(page.locator('.exercise-buttons').getByRole('link', { name: 'Manual' })).toHaveAttribute(
+    'href',
+    /\/manual\/en\/[a-z0-9-]+\.html$/,
+  );
+  await expect(page.getByRole('img', { name: 'Drawing of the part' })).toBeVisible();
+  await type(page, 'G00 X77 Z7\nM30');
+  await settled(page);
+  const printed = (): Promise<{ text: string; rows: number; drawing: number }> =>
+    page.evaluate(() => Reflect.get(window, 'printed'));
+
+  await page.getByRole('button', { name: 'Print the task' }).click();
+  await expect.poll(async () => (await printed())?.rows).toBe(20);
+  const sheet = await printed();
+  expect(sheet.text).toContain(task);
+  expect(sheet.text).toContain('Name:');
+  expect(sheet.drawing).toBeGreaterThan(0);
+  // A form does not show the program of the learner.
+  expect(sheet.text).not.toContain('X77');
+
+  await editor(page).focus();
+  await page.keyboard.press('Control+P');
+  await expect.poll(async () => (await printed())?.text).toContain('X77');
+  expect((await printed()).text).toContain(task);
+  expect((await printed()).rows).toBe(0);
 });
 
 test('an exercise is in the language of the page', async ({ page }) => {
@@ -72,6 +116,34 @@ test('an element reports each check of its exercise', async ({ page }) => {
   );
   await check(page);
   expect(await detail).toMatchObject({ id, passed: false, hints: 0 });
+});
+
+test('a frame reports each check of its exercise to the page around it', async ({ page }) => {
+  const text = readFileSync(join(__dirname, '../../www/exercises', `${id}.md`), 'utf8');
+  const address = `/index.html#exercise=${encodeURIComponent(text)}`;
+  await page.goto(FOREIGN);
+  await page.evaluate((address) => {
+    const heard: unknown[] = [];
+    Object.assign(window, { heard });
+    addEventListener('message', ({ data }) => heard.push(data));
+    const frame = document.createElement('iframe');
+    frame.src = `/embed${address}`;
+    document.body.append(frame);
+  }, address);
+  await expect
+    .poll(() =>
+      page.evaluate(() => {
+        const frame = document.querySelector('iframe')!.contentDocument;
+        const button = frame
+          ?.querySelector('gcode-playground')
+          ?.shadowRoot?.querySelector('.exercise-buttons .primary');
+        (button as HTMLElement | null | undefined)?.click();
+        return (Reflect.get(window, 'heard') as { type?: string; id?: string; passed?: boolean }[]).find(
+          ({ type }) => type === 'gcode-playground:checked',
+        );
+      }),
+    )
+    .toMatchObject({ id, passed: false });
 });
 
 test('a faulty exercise file names its line', async ({ page }) => {

@@ -64,6 +64,7 @@ test('the package contains its listed files and metadata for TypeScript and edit
     'en.txt',
     'index.html',
     'frame.js',
+    'sco.js',
     'rules',
     'docs',
     'manual',
@@ -129,7 +130,9 @@ test('the examples of the documents run in Node', async () => {
     join(project, 'more.mjs'),
     `
     import assert from 'node:assert/strict';
-    import { check, motions, svg } from 'gcode-playground';
+    import {
+      check, clean, diff, expand, format, motions, part, renumber, repair, summary, svg,
+    } from 'gcode-playground';
     import 'gcode-playground/element.js';
     const rapid = '(STOCK D=60 LENGTH=80)\\nT0101\\nM3 S500\\nG00 X62 Z2\\nG00 Z-30 X20\\nM30\\n';
     assert(check(rapid).some(({ severity }) => severity === 'error'), 'a rapid into the stock');
@@ -146,6 +149,18 @@ test('the examples of the documents run in Node', async () => {
       assert.throws(bad, (error) => error instanceof Error && error.message.includes(named));
     }
     assert.equal(check('').length, 1, 'and it goes on after an error');
+    const bar = '(STOCK D=30 LENGTH=60)\\nT0101\\nG97 S800 M03\\nG00 X32 Z2\\nG90 X26 Z-20 F0.1\\nG00 X100 Z100\\nM30\\n';
+    assert.equal(summary(bar).errors, 0);
+    assert(part(bar).polygons.flat().some(([z, x]) => Math.abs(z + 20) < 1e-3 && Math.abs(x - 26) < 1e-3));
+    assert.equal(part('G00 X1\\nM30\\n', { initial: { x: 0, z: 0 } }), undefined);
+    assert(!/^G90/m.test(expand(bar)) && /^G01 X26/m.test(expand(bar)));
+    assert.equal(repair('GO1 X50 Z-2 F0.1 (FACE\\nM30\\n'), 'G01 X50 Z-2 F0.1 (FACE)\\nM30\\n');
+    assert.equal(format('g1x50z-2f.1\\r\\ng0x60\\r\\nm30\\r\\n'), 'G01 X50 Z-2 F.1\\r\\nG00 X60\\r\\nM30\\r\\n');
+    assert.equal(renumber('N1 G00 X1\\nN2 GOTO 4\\nN4 M30\\n', { from: 100, step: 5 }), 'N100 G00 X1\\nN105 GOTO 110\\nN110 M30\\n');
+    assert.throws(() => renumber('N1 G00 X1\\nGOTO #1\\nM30\\n'), /line 2: not renumbered/);
+    assert.throws(() => renumber('', { from: 0 }), /from/);
+    assert(diff(bar, bar).sameMotions && !diff(bar, bar.replace('X26', 'X27')).sameMotions);
+    assert.deepEqual(clean('Turn the shaft:\\nO0001\\nG00 X32 Z2\\nG01 Z-20 F0.1\\nM30\\nThen measure it.\\n').length, 1);
   `,
   );
   await run(process.execPath, ['more.mjs'], { cwd: project });

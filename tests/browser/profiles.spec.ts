@@ -33,6 +33,12 @@ const machine = (page: Page): Locator => reading(page).getByRole('button', { nam
 const setup = async (page: Page): Promise<unknown> =>
   JSON.parse((await page.locator('gcode-playground').getAttribute('setup')) ?? '{}');
 
+/** Opens the program, and waits until it has replaced the first one, which closes the popover. */
+async function openOwnProgram(page: Page): Promise<void> {
+  await openFile(page, 'own.nc', Buffer.from(PROGRAM));
+  await expect.poll(() => value(page)).toBe(PROGRAM);
+}
+
 async function openMachines(page: Page): Promise<void> {
   await settled(page);
   await chip(page).click();
@@ -179,7 +185,7 @@ for (const { name, control, total, turret, end } of [
 
 test('the inch machine reads a program without G20 in inches', async ({ page }) => {
   await open(page);
-  await openFile(page, 'own.nc', Buffer.from(PROGRAM));
+  await openOwnProgram(page);
   await expect(chip(page)).toContainText('mm');
   await openMachines(page);
   await dialog(page).getByRole('button', { name: 'Use: Small lathe in inches, FANUC' }).click();
@@ -188,7 +194,7 @@ test('the inch machine reads a program without G20 in inches', async ({ page }) 
 
 test('an example machine has its name in the language of the page', async ({ page }) => {
   await open(page);
-  await openFile(page, 'own.nc', Buffer.from(PROGRAM));
+  await openOwnProgram(page);
   await openMachines(page);
   await dialog(page).getByRole('button', { name: 'Use: Small lathe, GSK 980TD' }).click();
   await expectMachine(page, 'Machine: Small lathe, GSK 980TD');

@@ -80,6 +80,16 @@ pub const FIGURES: &[Figure] = &[
     ),
     figure(
         "www/docs/sharing.md",
+        "a score from 0 to 100",
+        Held::Stated("www/embed/sco.js", "const score = passed ? 100 :"),
+    ),
+    figure(
+        "www/docs/sharing.md",
+        "up to 4,096 characters",
+        Held::Stated("www/embed/sco.js", "const MAX_KEPT = 4096;"),
+    ),
+    figure(
+        "www/docs/sharing.md",
         "longer than 2,000 characters",
         Held::Stated("www/src/page/share-dialog.ts", "const LONG_LINK = 2000;"),
     ),

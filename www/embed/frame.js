@@ -74,6 +74,12 @@ function tellHeight() {
   window.parent.postMessage({ type: 'gcode-playground:height', height }, '*');
 }
 
+/** The verdict contains no text of the learner, so this message is for any origin, too. */
+function tellCheck({ detail }) {
+  if (isFramed) window.parent.postMessage({ type: 'gcode-playground:checked', ...detail }, '*');
+}
+
+element.addEventListener('gcode-checked', tellCheck);
 show();
 if (!element.hasAttribute('loading')) element.setAttribute('loading', 'eager');
 document.body.replaceChildren(element);

@@ -21,6 +21,9 @@ const REFERENCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 /// The folder of the pages of the manual.
 const MANUAL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../manual");
 
+/// The exercises of the course.
+const EXERCISES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../exercises");
+
 /// The programs of the gallery.
 const PROGRAMS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../tests/programs");
 
@@ -39,7 +42,7 @@ fn main() -> ExitCode {
 }
 
 fn write(site: &Path) -> Result<usize, String> {
-    let pages = manual::files(Path::new(MANUAL))?;
+    let pages = manual::files(Path::new(MANUAL), Path::new(EXERCISES))?;
     let without_page = manual::without_page(&pages, Path::new(PROGRAMS))?;
     let folders = [
         (site.join("docs"), site::files(Path::new(REFERENCE))?),

@@ -11,6 +11,8 @@
 //!   ([`super::form`]),
 //! * `{calculator r-of-g90}` becomes a calculator ([`super::calculator`]).
 //!
+//! The exercises for a page follow its text.
+//!
 //! A formula between `$$` is LaTeX and becomes MathML. A block quote is an exercise. Links to rule files, programs of the gallery and other pages work in the repository and
 //! on the site. A page that a language lacks is shown in English.
 //!
@@ -25,6 +27,7 @@ use std::path::Path;
 
 use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
+use gcode_playground::api::exercise::{ExerciseRead, ExerciseText};
 use gcode_playground::sentences::Language;
 use gcode_playground::source::address::percent_encoded;
 use pulldown_latex::config::{DisplayMode, RenderConfig};
@@ -73,6 +76,7 @@ struct Words {
     in_english: &'static str,
     search: &'static str,
     nothing_found: &'static str,
+    exercises: &'static str,
 }
 
 const LANGUAGES: [Words; 3] = [
@@ -89,6 +93,7 @@ const LANGUAGES: [Words; 3] = [
         in_english: "",
         search: "Search the manual",
         nothing_found: "no results",
+        exercises: "Exercises",
     },
     Words {
         tag: "zh",
@@ -103,6 +108,7 @@ const LANGUAGES: [Words; 3] = [
         in_english: "本页尚无中文版，以下为英文。",
         search: "搜索手册",
         nothing_found: "没有结果",
+        exercises: "练习",
     },
     Words {
         tag: "ru",
@@ -117,15 +123,16 @@ const LANGUAGES: [Words; 3] = [
         in_english: "Этой страницы ещё нет на русском языке; ниже она на английском.",
         search: "Поиск по руководству",
         nothing_found: "ничего не найдено",
+        exercises: "Упражнения",
     },
 ];
 
-/// All files by name, or all mistakes in the documents.
-pub fn files(folder: &Path) -> Result<BTreeMap<String, String>, String> {
+/// All files by name, or all mistakes in the documents. `exercises`: the folder of the course.
+pub fn files(folder: &Path, exercises: &Path) -> Result<BTreeMap<String, String>, String> {
     let mut files = BTreeMap::from([("manual.css".to_owned(), STYLES.concat())]);
     let mut mistakes = Vec::new();
     for words in &LANGUAGES {
-        match Book::read(&folder.join(words.tag), words) {
+        match Book::read(&folder.join(words.tag), exercises, words) {
             Ok(book) => files.extend(book.files(words)),
             Err(found) => mistakes.push(found),
         }
@@ -133,11 +140,15 @@ pub fn files(folder: &Path) -> Result<BTreeMap<String, String>, String> {
     if mistakes.is_empty() { Ok(files) } else { Err(mistakes.join("\n")) }
 }
 
+/// The start of the list of exercises.
+const EXERCISES: &str = "<section class=\"exercises\">";
+
 /// The address of the page of the playground.
 const PAGE: &str = "../../index.html";
 
 /// The files for the element without the page, whose `index.html` shows the program of its address: a link to a program
-/// of the gallery contains the program, and there is no link to the page. `programs`: the folder of the gallery.
+/// of the gallery contains the program, and there are no links to the page and its exercises. `programs`: the folder of
+/// the gallery.
 pub fn without_page(
     files: &BTreeMap<String, String>,
     programs: &Path,
@@ -151,6 +162,7 @@ pub fn without_page(
 }
 
 fn with_programs(html: &str, programs: &Path) -> Result<String, String> {
+    let html = &without(html, EXERCISES, "</section>\n");
     let link = format!("\"{PAGE}#");
     let mut parts = html.split(&link);
     let mut out = parts.next().unwrap_or_default().to_owned();
@@ -165,22 +177,40 @@ fn with_programs(html: &str, programs: &Path) -> Result<String, String> {
         let [program, setup] = [&program, &setup].map(|text| percent_encoded(text));
         let _ = write!(out, "\"{PAGE}#program={program}&amp;setup={setup}\"{rest}");
     }
-    let [start, end] = [format!("<a href=\"{PAGE}\">"), "</a>\n".to_owned()];
-    if let Some((before, after)) = out.split_once(&start)
-        && let Some((_, after)) = after.split_once(&end)
-    {
-        out = format!("{before}{after}");
-    }
-    Ok(out)
+    Ok(without(&out, &format!("<a href=\"{PAGE}\">"), "</a>\n"))
+}
+
+/// A text without its first piece from `start` to `end`.
+fn without(html: &str, start: &str, end: &str) -> String {
+    let piece = html.split_once(start).and_then(|(before, rest)| Some((before, rest.split_once(end)?.1)));
+    piece.map_or_else(|| html.to_owned(), |(before, after)| [before, after].concat())
+}
+
+/// The exercises of the course in a language, in its order.
+fn exercises(folder: &Path, words: &Words) -> Result<Vec<ExerciseText>, String> {
+    let read = |file: &str| {
+        let path = folder.join(file);
+        fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))
+    };
+    // The list contains strings only.
+    let course = read("course.json")?;
+    let language = Language::from_tag(words.tag);
+    let ids = course.split('"').skip(1).step_by(2);
+    ids.map(|id| match ExerciseRead::new(&read(&format!("{id}.md"))?, language) {
+        ExerciseRead::Exercise(exercise) => Ok(exercise),
+        ExerciseRead::Fault { line, message } => Err(format!("{id}.md:{line}: {message}")),
+    })
+    .collect()
 }
 
 /// The pages of a language: first the list, then the others in its order.
 struct Book {
     pages: Vec<Page>,
+    exercises: Vec<ExerciseText>,
 }
 
 impl Book {
-    fn read(folder: &Path, words: &Words) -> Result<Self, String> {
+    fn read(folder: &Path, course: &Path, words: &Words) -> Result<Self, String> {
         let index = Page::read(folder, INDEX, words)?;
         let listed = index.links.clone();
         let mut pages = vec![index];
@@ -197,7 +227,27 @@ impl Book {
                 return Err(format!("{} is not listed in {INDEX}.md", path.display()));
             }
         }
-        Ok(Self { pages })
+        let exercises = exercises(course, words)?;
+        let chapters = exercises.iter().filter_map(|own| Some((own, own.chapter.as_ref()?)));
+        for (exercise, chapter) in chapters {
+            if !pages.iter().any(|page| page.name == *chapter) {
+                return Err(format!("{}.md: the manual has no page `{chapter}`", exercise.id));
+            }
+        }
+        Ok(Self { pages, exercises })
+    }
+
+    /// The exercises for a page; empty if there are none.
+    fn exercises(&self, page: &Page, words: &Words) -> String {
+        let own = self.exercises.iter().filter(|own| own.chapter.as_ref() == Some(&page.name));
+        let items = own.map(|ExerciseText { id, title, .. }| {
+            format!("<li><a href=\"{PAGE}#exercise={id}\">{}</a></li>\n", escaped(title))
+        });
+        let items: String = items.collect();
+        match items.is_empty() {
+            true => items,
+            false => format!("{EXERCISES}\n<h2>{}</h2>\n<ul>\n{items}</ul>\n</section>\n", words.exercises),
+        }
     }
 
     fn files(&self, words: &Words) -> Vec<(String, String)> {
@@ -250,7 +300,7 @@ impl Book {
              placeholder=\"{1}\" aria-label=\"{1}\">\n<output></output>\n<ul></ul>\n</form>",
             words.nothing_found, words.search
         );
-        let _ = write!(out, "</header>\n<main>\n{}", page.body);
+        let _ = write!(out, "</header>\n<main>\n{}{}", page.body, self.exercises(page, words));
         let _ = writeln!(out, "<nav class=\"pages\" aria-label=\"{}\">", words.pages);
         let neighbours = [(at.checked_sub(1), "prev", words.previous), (Some(at + 1), "next", words.next)];
         for (at, relation, label) in neighbours {

@@ -1,7 +1,7 @@
-import type { Diagnostic, Motion } from './gcode_playground.js';
+import type { Diagnostic, Motion, Part, ProgramDifference, Summary } from './gcode_playground.js';
 import type { Setup } from './setup.js';
 
-export type { Diagnostic, Motion };
+export type { Diagnostic, Motion, Part, ProgramDifference, Summary };
 export type {
   Setup,
   SetupDialect,
@@ -34,3 +34,54 @@ export function motions(text: string | Uint8Array, setup?: Setup | string, optio
 
 /** The drawing of a program with the finished part, as one `<svg>`. Throws as `check` does. */
 export function svg(text: string | Uint8Array, setup?: Setup | string, options?: Options): string;
+
+/** Counts, times and sizes of a run, with the finished part. Throws as `check` does. */
+export function summary(text: string | Uint8Array, setup?: Setup | string, options?: Options): Summary;
+
+/** The finished part as polygons of its half-section, mm; `undefined` without a blank. Throws as `check` does. */
+export function part(text: string | Uint8Array, setup?: Setup | string, options?: Options): Part | undefined;
+
+/** The program with every cycle, corner and compensation as plain moves. Throws as `check` does. */
+export function expand(text: string | Uint8Array, setup?: Setup | string, options?: Options): string;
+
+/** The program with all safe fixes, as `gcode-playground check --fix` writes it. Throws as `check` does. */
+export function repair(text: string | Uint8Array, setup?: Setup | string, options?: Options): string;
+
+/**
+ * The program with blanks, case and leading zeros of G and M codes written uniformly. It is run before and after.
+ *
+ * @throws `Error` with line and reason if it would not be the same program, and as `check` does.
+ */
+export function format(text: string | Uint8Array, setup?: Setup | string, options?: Options): string;
+
+export interface Numbering {
+  /** The number of the first block; default: 10. */
+  readonly from?: number;
+  /** The difference between two numbers; default: 10. */
+  readonly step?: number;
+  /** The blocks that get a number; `none` removes the numbers that nothing refers to. Default: `numbered`. */
+  readonly blocks?: 'numbered' | 'all' | 'none';
+}
+
+/**
+ * The program with new sequence numbers; P, Q, GOTO, M97 and M99 P follow. It is run before and after.
+ *
+ * @throws `Error` with line and reason if the numbers stay, and as `check` does.
+ */
+export function renumber(
+  text: string | Uint8Array,
+  numbering?: Numbering,
+  setup?: Setup | string,
+  options?: Options,
+): string;
+
+/** The differences between two versions of a program. Throws as `check` does. */
+export function diff(
+  before: string | Uint8Array,
+  after: string | Uint8Array,
+  setup?: Setup | string,
+  options?: Options,
+): ProgramDifference;
+
+/** The programs inside another text, such as a page of a manual, with the printed readings. */
+export function clean(text: string | Uint8Array, options?: Options): string[];

@@ -1,10 +1,11 @@
-// The interpreter in Node: three functions of a text, without configuration.
+// The interpreter in Node: functions of a text, without configuration.
 //
-// In: a program, a setup. Out: its messages, its motions, its drawing. The module and its parts are read from the
+// In: a program, a setup. Out: its messages, its motions, its drawing, its part; the program written in another way;
+// differences, other programs. The module and its parts are read from the
 // package at the first call. Must not know: the page or the element.
 
 import { readFileSync } from 'node:fs';
-import { initSync, Playground } from './gcode_playground.js';
+import { initSync, PastedText, Playground } from './gcode_playground.js';
 import { PART_FILES } from './part-files.js';
 import { addPart, isText } from './parts.js';
 
@@ -71,4 +72,89 @@ export function svg(text, setup, options) {
     while (!playground.removeMaterial(AT_ONCE));
     return new TextDecoder().decode(playground.exportFile('svg'));
   });
+}
+
+export function summary(text, setup, options) {
+  return withRun(text, setup, options, (playground) => {
+    while (!playground.removeMaterial(AT_ONCE));
+    return playground.summary();
+  });
+}
+
+export function part(text, setup, options) {
+  return withRun(text, setup, options, (playground) => {
+    while (!playground.removeMaterial(AT_ONCE));
+    return playground.part();
+  });
+}
+
+export function expand(text, setup, options) {
+  return withRun(text, setup, options, (playground) => playground.expand());
+}
+
+export function repair(text, setup, options) {
+  return withRun(text, setup, options, (playground) => playground.repaired());
+}
+
+export function format(text, setup, options) {
+  return withRun(text, setup, options, (playground) => changed(textOf(text), playground.formatted(), 'formatted'));
+}
+
+export function renumber(text, { from = 10, step = 10, blocks = 'numbered' } = {}, setup, options) {
+  for (const [name, value] of Object.entries({ from, step }))
+    if (!Number.isInteger(value) || value < 1) throw new RangeError(`\`${name}\` is a whole number from 1 on`);
+  return withRun(text, setup, options, (playground) =>
+    changed(textOf(text), playground.renumbered(from, step, blocks), 'renumbered'),
+  );
+}
+
+export function diff(before, after, setup, options) {
+  return withRun(before, setup, options, (first) =>
+    withRun(after, setup, options, (second) => {
+      for (const playground of [first, second]) while (!playground.removeMaterial(AT_ONCE));
+      return second.differenceFrom(first);
+    }),
+  );
+}
+
+export function clean(text, options) {
+  const { language } = checked(options);
+  load();
+  const pasted = new PastedText(textOf(text));
+  try {
+    return pasted.programs().programs.map((_, index) => {
+      const pieces = pasted.pieces(index, language);
+      return pieces.map(({ now, choices }) => choices[0] ?? now).join('');
+    });
+  } finally {
+    pasted.free();
+  }
+}
+
+function textOf(text) {
+  return typeof text === 'string' ? text : new TextDecoder('utf-8', { ignoreBOM: true }).decode(text);
+}
+
+/** The text with the edits of an answer. Throws the reason if the program stays as it is. */
+function changed(text, answer, action) {
+  if (answer.kind === 'refused') {
+    const place = answer.line === undefined ? '' : `line ${answer.line}: `;
+    throw new Error(`${place}not ${action}: ${answer.reason}`);
+  }
+  const indexOf = indices(text);
+  let [written, end] = ['', 0];
+  for (const { from, to, text: inserted } of answer.edits) {
+    written += text.slice(end, indexOf(from)) + inserted;
+    end = indexOf(to);
+  }
+  return written + text.slice(end);
+}
+
+/** Converts ascending offsets of edits, which count CR LF as one unit, to indices of the text. */
+function indices(text) {
+  let [index, offset] = [0, 0];
+  return (wanted) => {
+    for (; offset < wanted; offset++) index += text.startsWith('\r\n', index) ? 2 : 1;
+    return index;
+  };
 }

@@ -52,6 +52,13 @@ export function manualLink(language: Language): HTMLAnchorElement {
   return link('manual', `${language}/index.html`, WORDS[language].manual, language);
 }
 
+/** A page of the manual; `name`: its file without the ending. */
+export function chapterLink(name: string, language: Language): HTMLAnchorElement {
+  const made = link('manual', `${language}/${encodeURIComponent(name)}.html`, WORDS[language].manual, language);
+  made.setAttribute('aria-label', `${WORDS[language].manual}: ${name}`);
+  return made;
+}
+
 /** The page of a code of G-code system A; undefined if the manual has none. */
 export function codeLink(code: string, language: Language): HTMLAnchorElement | undefined {
   const page = manualPageOf(code);

@@ -10,6 +10,7 @@ import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
 import type { Language } from '../dom/language';
+import { importWithRetry } from '../dom/network';
 import { COMMON } from '../dom/words';
 import { EMPTY_SHARED, makeLink, NAME_LIMIT } from '../files/shared-link';
 import {
@@ -28,6 +29,7 @@ import { loadExercise, loadExercises, titleOf } from './exercise-list';
 import { field } from './fields';
 import type { PageHost } from './page-host';
 import { printedPage, printedTable, setFile } from './printed';
+import { publishedFile } from './published';
 
 /** The value of the option for the exercises that the links name, and for a file of the teacher. */
 const FROM_LINKS = '';
@@ -47,6 +49,7 @@ class AnswersDialog {
   readonly #files = make('input', { type: 'file', multiple: true, hidden: true });
   readonly #ownExercise = make('input', { type: 'file', accept: '.md', hidden: true });
   readonly #openOwn = make('button', { type: 'button', className: 'framed' });
+  readonly #scorm = make('a', { className: 'framed', hidden: true });
   readonly #openFiles = make('button', { type: 'button', className: 'framed' });
   readonly #clear = make('button', { type: 'button', className: 'framed' });
   readonly #status = make('p', { role: 'status', className: 'answers-status' });
@@ -64,7 +67,14 @@ class AnswersDialog {
   readonly #dialog = new Dialog(
     'answers',
     [
-      make('div', { className: 'answers-from' }, this.#fields.exercise.label, this.#openOwn, this.#ownExercise),
+      make(
+        'div',
+        { className: 'answers-from' },
+        this.#fields.exercise.label,
+        this.#openOwn,
+        this.#scorm,
+        this.#ownExercise,
+      ),
       this.#fields.links.label,
       this.#files,
       this.#status,
@@ -94,6 +104,7 @@ class AnswersDialog {
       void this.#add(() => readFiles(files));
     });
     this.#ownExercise.addEventListener('change', () => void this.#readOwnExercise());
+    this.#exercise.addEventListener('change', () => void this.#packExercise());
     acceptFiles(this.#dialog.element, {
       hint: () => ANSWERS_WORDS[this.#language].dropHere,
       onDrop: (...files) => void this.#add(() => readFiles(files)),
@@ -115,6 +126,7 @@ class AnswersDialog {
       [this.#fields.links.caption, texts.links],
       [this.#fields.filter.caption, texts.filter],
       [this.#openOwn, texts.openExercise],
+      [this.#scorm, texts.scorm],
       [this.#openFiles, texts.openFiles],
       [this.#clear, texts.clear],
       [this.#csv, texts.csv],
@@ -130,9 +142,8 @@ class AnswersDialog {
     await this.#fillExercises(language);
   }
 
-  async #fillExercises(language: Language): Promise<void> {
+  async #fillExercises(language: Language, chosen = this.#exercise.value): Promise<void> {
     const texts = ANSWERS_WORDS[language];
-    const chosen = this.#exercise.value;
     const list = (await loadExercises()) ?? [];
     const own = this.#ownText === undefined ? [] : [make('option', { value: OWN_FILE }, texts.ownExercise)];
     this.#exercise.replaceChildren(
@@ -141,6 +152,7 @@ class AnswersDialog {
       ...list.map((row) => make('option', { value: row.id }, titleOf(row, language))),
     );
     this.#exercise.value = chosen;
+    await this.#packExercise();
   }
 
   async #readOwnExercise(): Promise<void> {
@@ -148,8 +160,33 @@ class AnswersDialog {
     this.#ownExercise.value = '';
     if (file === undefined) return;
     this.#ownText = await file.text().catch(() => undefined);
-    await this.#fillExercises(this.#language);
-    if (this.#ownText !== undefined) this.#exercise.value = OWN_FILE;
+    await this.#fillExercises(this.#language, this.#ownText === undefined ? this.#exercise.value : OWN_FILE);
+  }
+
+  /** Makes the package of the chosen exercise for a learning platform. */
+  async #packExercise(): Promise<void> {
+    const host = this.#host;
+    const chosen = this.#exercise.value;
+    this.#scorm.hidden = true;
+    const text = (await this.#chosenExercise())?.text;
+    if (host === undefined || text === undefined) return;
+    const answer = await host.playground.ask('exercise', { text }).catch(() => undefined);
+    if (answer === undefined || chosen !== this.#exercise.value) return;
+    const { read } = answer;
+    if (read.kind === 'fault') {
+      this.#status.textContent = ANSWERS_WORDS[host.language].fault({
+        kind: 'faulty-exercise',
+        line: read.line,
+        message: read.message,
+      });
+      return;
+    }
+    const { scormPackage } = await importWithRetry(() => import('./scorm'));
+    const { id, title } = read;
+    this.#scorm.download = `${id}.zip`;
+    const packed = scormPackage({ id, title, text, language: host.language }, publishedFile('sco.js'));
+    setFile(this.#scorm, packed, 'application/zip');
+    this.#scorm.hidden = false;
   }
 
   async #addLinks(): Promise<void> {

@@ -35,6 +35,7 @@ export function markdownText(title: string, link: string): string {
   return `[${title.replace(/\s+/g, ' ').replace(/[\\[\]<>*_`]/g, '\\$&')}](<${link}>)`;
 }
 
-function escapeHtml(text: string): string {
-  return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
+/** Escapes a text for HTML and XML, also inside double quotes. */
+export function escapeHtml(text: string): string {
+  return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
 }

@@ -30,10 +30,12 @@ export class ExampleList {
     this.#host = host;
   }
 
-  /** Shows the title of the program: of its file, of its example, or that it is the user's own. */
+  /** Shows the title of the program: of its file, of its example, or that it is an exercise or the user's own. */
   show(): void {
     const { example, language, playground } = this.#host;
-    this.#title.textContent = playground.file?.name ?? example?.title[language] ?? PAGE_WORDS[language].ownProgram;
+    const texts = PAGE_WORDS[language];
+    const other = playground.exercise === null ? texts.ownProgram : texts.exercise;
+    this.#title.textContent = playground.file?.name ?? example?.title[language] ?? other;
   }
 
   /** Loads the list in the language of the page; the page works without it. */

@@ -274,7 +274,6 @@ function loadLinked(linked: LinkedProgram): void {
     { text, file: (file ?? undefined) as ProgramFile | undefined },
   );
   showAsLinked(linked);
-  examples.show();
   intro.show({ kind: 'example' });
 }
 
@@ -319,6 +318,7 @@ function showAsLinked(linked: LinkedProgram): void {
     showLanguage();
   }
   link.opened(linked);
+  examples.show();
 }
 
 function showFault(fault: Fault): void {

@@ -28,7 +28,7 @@ export function printedTable(head: readonly string[], rows: readonly (readonly s
 }
 
 /** Sets the file that a link with `download` saves. */
-export function setFile(link: HTMLAnchorElement, content: string, type: string): void {
+export function setFile(link: HTMLAnchorElement, content: BlobPart, type: string): void {
   URL.revokeObjectURL(link.href);
   link.href = URL.createObjectURL(new Blob([content], { type }));
 }

@@ -14,6 +14,7 @@ import { elementText, frameText, markdownText } from './embed-text';
 import { checkbox, copyField, field } from './fields';
 import { pageAddress } from './linked';
 import type { PageHost } from './page-host';
+import { publishedFile } from './published';
 import { FORMS, SHARE_WORDS, VIEWS, type Form, type SharedView, type ShareWords } from './share-words';
 import { toShared } from './shared-program';
 import { PAGE_WORDS } from './words';
@@ -24,9 +25,6 @@ import './share.css';
 const LONG_LINK = 2000;
 /** The forms that contain a full link to the page, and so can contain a task. */
 const TASK_FORMS: readonly Form[] = ['link', 'markdown', 'qr'];
-
-/** Defined by the build. */
-declare const PLAYGROUND_VERSION: string;
 
 let dialog: ShareDialog | undefined;
 
@@ -281,20 +279,17 @@ class ShareDialog {
   }
 
   async #makeOutput(form: Form, shared: Shared, host: PageHost, texts: ShareWords): Promise<ShareOutput> {
-    const page = pageAddress();
     const title = host.example?.title[host.language] ?? host.program.file?.name ?? PAGE_WORDS[host.language].title;
-    // Use the folder named after the version, whose files never change.
-    const embedded = (file: string): string => new URL(`embed/${PLAYGROUND_VERSION}/${file}`, page).href;
     if (form === 'element' || form === 'frame') {
       const text =
         form === 'element'
-          ? elementText(shared, embedded('element.js'))
-          : frameText(shared, embedded('index.html'), title);
+          ? elementText(shared, publishedFile('element.js'))
+          : frameText(shared, publishedFile('index.html'), title);
       return { text, length: texts.length(text.length) };
     }
     const made = await makeLink(shared);
     if (made.kind === 'too-long') return { text: '', length: texts.tooLong(made.length, made.limit) };
-    const link = `${page}${made.link}`;
+    const link = `${pageAddress()}${made.link}`;
     if (form === 'qr') {
       const { qrCode, QR_LIMIT } = await importWithRetry(() => import('./qr'));
       const drawn = qrCode(link);

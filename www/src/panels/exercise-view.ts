@@ -8,6 +8,7 @@ import { make, renderUnbroken } from '../dom/dom';
 import { loadText } from '../dom/load-text';
 import { COMMON, words } from '../dom/words';
 import { programText } from '../editor/program-text';
+import { chapterLink } from '../editor/rule-link';
 import type { ExerciseText, Graded } from '../protocol/protocol';
 import type { Shell } from './panel';
 import exerciseStyles from './exercise-view.css?inline';
@@ -38,6 +39,8 @@ export class ExerciseView {
   readonly #hints = make('ol', { className: 'exercise-hints' });
   readonly #checkButton = make('button', { type: 'button', className: 'primary' });
   readonly #hintButton = make('button', { type: 'button' });
+  readonly #printButton = make('button', { type: 'button' });
+  readonly #chapter = make('span');
   readonly #report = make('div', { className: 'exercise-report', 'aria-live': 'polite' });
   #text = '';
   #exercise: ExerciseText | undefined;
@@ -50,13 +53,22 @@ export class ExerciseView {
     this.#address = address;
     this.#checkButton.addEventListener('click', () => void this.#runCheck());
     this.#hintButton.addEventListener('click', () => this.#showNextHint());
+    this.#printButton.hidden = !shell.hasService('printTask');
+    this.#printButton.addEventListener('click', () => shell.service('printTask')());
     this.element = make(
       'section',
       { className: 'exercise-view' },
       this.#title,
       make('div', { className: 'exercise-text' }, this.#task, this.#drawing),
       this.#hints,
-      make('div', { className: 'exercise-buttons' }, this.#checkButton, this.#hintButton),
+      make(
+        'div',
+        { className: 'exercise-buttons' },
+        this.#checkButton,
+        this.#hintButton,
+        this.#printButton,
+        this.#chapter,
+      ),
       this.#report,
     );
   }
@@ -88,6 +100,13 @@ export class ExerciseView {
     this.#render(read, drawing);
   }
 
+  /** Title, task and drawing for a printed sheet. */
+  get sheet(): readonly HTMLElement[] {
+    if (this.#exercise === undefined) return [];
+    const title = make('h1', {}, this.#exercise.title);
+    return [title, ...[this.#task, this.#drawing].map((part) => part.cloneNode(true) as HTMLElement)];
+  }
+
   /** The report is about an earlier program. */
   programChanged(): void {
     this.#check++;
@@ -96,7 +115,7 @@ export class ExerciseView {
 
   #showFault(message: string): void {
     this.#report.replaceChildren(make('p', { className: 'exercise-fault' }, message));
-    this.#checkButton.hidden = this.#hintButton.hidden = true;
+    this.#checkButton.hidden = this.#hintButton.hidden = this.#printButton.hidden = true;
   }
 
   #render(exercise: ExerciseText, drawing: string | undefined): void {
@@ -104,6 +123,9 @@ export class ExerciseView {
     this.#title.textContent = exercise.title;
     this.#task.replaceChildren(...blocks(exercise.task));
     this.#checkButton.textContent = texts.check;
+    this.#printButton.textContent = texts.printTask;
+    const { chapter } = exercise;
+    this.#chapter.replaceChildren(...(chapter === undefined ? [] : [chapterLink(chapter, this.#shell.language)]));
     this.#setDrawing(drawing);
     this.#renderHints(exercise);
   }
@@ -265,6 +287,7 @@ function inline(text: string): (HTMLElement | string)[] {
 const WORDS = words({
   en: {
     check: 'Check',
+    printTask: 'Print the task',
     hint: (next: number, all: number) => `Hint ${next} of ${all}`,
     drawing: 'Drawing of the part',
     passed: 'Passed',
@@ -281,6 +304,7 @@ const WORDS = words({
   },
   zh: {
     check: '检查',
+    printTask: '打印题目',
     hint: (next, all) => `提示 ${next}/${all}`,
     drawing: '零件图',
     passed: '通过',
@@ -297,6 +321,7 @@ const WORDS = words({
   },
   ru: {
     check: 'Проверить',
+    printTask: 'Напечатать задание',
     hint: (next, all) => `Подсказка ${next} из ${all}`,
     drawing: 'Чертёж детали',
     passed: 'Выполнено',

@@ -8,7 +8,7 @@ import type { Language } from '../dom/language';
 import type { CoreEvent } from '../worker/core-client';
 import type { ExerciseView } from './exercise-view';
 import { loadPart } from './load-part';
-import type { Panel, PanelKind, Shell } from './panel';
+import type { Panel, PanelKind, Services, Shell } from './panel';
 
 export const exercise: PanelKind = { make: (shell) => new ExercisePanel(shell) };
 
@@ -19,6 +19,7 @@ class ExercisePanel implements Panel {
   #isRequested = false;
   #view: ExerciseView | undefined;
   readonly elements = { bar: [this.#place] };
+  readonly services: Partial<Services> = { exerciseSheet: () => this.#view?.sheet ?? [] };
 
   constructor(shell: Shell) {
     this.#shell = shell;

@@ -31,6 +31,7 @@ import { presentation } from './presentation';
 import { print } from './print';
 import { switches } from './switches';
 import { tabs } from './tabs';
+import { tidy } from './tidy';
 import { totals } from './totals';
 import { units } from './units';
 import { views } from './views';
@@ -69,6 +70,7 @@ export const FURTHER: readonly PanelKind[] = [
   solid,
   exports,
   rewrite,
+  tidy,
   writtenOut,
   help,
   codes,

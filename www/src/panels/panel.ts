@@ -204,6 +204,10 @@ export interface Services {
   keepPart(): void;
   /** Ends the comparison that `keepPart` began, but not one that the user began. */
   endComparison(): void;
+  /** Title, task and drawing of the exercise, for a printed sheet. */
+  exerciseSheet(): readonly HTMLElement[];
+  /** Prints the task of the exercise with an empty form for the program. */
+  printTask(): void;
   openCodes(): void;
   /** Opens a calculator with the values of the block at the cursor. */
   openCalculator(name: string): void;

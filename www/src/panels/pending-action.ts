@@ -1,6 +1,6 @@
 // An action of the user that waits for the path of the current text.
 //
-// In: changes of text and setup, paths, actions. Out: the call of the action. Must not know: what the action does.
+// In: changes of text and setup, paths, actions. Out: the call of the action. Must not know: the effect of an action.
 
 interface Action {
   readonly act: () => void;

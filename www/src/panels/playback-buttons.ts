@@ -64,7 +64,7 @@ class ButtonSet {
   }
 }
 
-/** All sets of buttons: that of the bar first, then those of dialogs. */
+/** All sets of buttons: the set of the bar first, then the sets of dialogs. */
 export class PlaybackButtons {
   readonly #events: ButtonEvents;
   readonly #bar: ButtonSet;

@@ -1,5 +1,5 @@
-// Printing: program, drawing, problems and setup below each other, in light colours. Page breaks fall between blocks,
-// not inside them.
+// Printing: program, drawing, problems and setup below each other, in light colours; before them the exercise, or the
+// exercise alone with an empty form. Page breaks fall between blocks, not inside them.
 //
 // In: the newest report; Ctrl P. Out: a sheet that is visible only in print. If the user prints from the browser's
 // menu, nothing can be requested before: the sheet has no setup, and the drawing of the screen is printed.
@@ -10,7 +10,7 @@ import { isPrinting } from '../dom/printing';
 import { COMMON, words } from '../dom/words';
 import { programName } from '../editor/program-files';
 import type { Diagnostic, SetupForm, SetupState } from '../protocol/protocol';
-import type { Key, Panel, PanelKind, Shell } from './panel';
+import type { Key, Panel, PanelKind, Services, Shell } from './panel';
 import printStyles from './print.css?inline';
 
 /**
@@ -21,6 +21,9 @@ const WITH_ASSUMED: readonly string[] = ['stock', 'start'];
 
 /** Maximum number of lines of the program that are printed. */
 const MAX_LINES = 5_000;
+
+/** Number of rows of the empty form for a program. */
+const FORM_ROWS = 20;
 
 /** Maximum number of problems that are printed. */
 const MAX_PROBLEMS = 500;
@@ -33,7 +36,12 @@ class Print implements Panel {
   readonly #picture = make('img', { className: 'sheet-drawing', alt: '' });
   /** The answers requested before printing began; undefined if printing was started from the browser's menu. */
   #prepared: { readonly setup: SetupForm | undefined; readonly states: readonly SetupState[] } | undefined;
+  /** Whether the sheet is the task of the exercise with a form instead of the program. */
+  #isTask = false;
+  /** The exercise with its decoded drawing; undefined if printing was started from the browser's menu. */
+  #exercise: readonly HTMLElement[] | undefined;
   readonly elements = { dialogs: [this.#sheet] };
+  readonly services: Partial<Services> = { printTask: () => void this.#printTask() };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -69,6 +77,7 @@ class Print implements Panel {
       this.#shell.ask('setup-form', undefined),
       this.#shell.ask('export', { format: 'svg' }),
     ]);
+    await this.#prepareExercise();
     if (drawing?.kind === 'file') {
       this.#picture.src = URL.createObjectURL(new Blob([drawing.content], { type: 'image/svg+xml' }));
       await this.#picture.decode().catch(() => undefined);
@@ -87,7 +96,51 @@ class Print implements Panel {
     window.print();
   }
 
+  /** Prints when the drawing of the task can be shown. */
+  async #printTask(): Promise<void> {
+    await this.#prepareExercise();
+    if (!this.#shell.root.host.isConnected) return;
+    this.#isTask = true;
+    window.print();
+    // The sheet is filled now. Where printing is not allowed, no event follows.
+    this.#isTask = false;
+  }
+
+  async #prepareExercise(): Promise<void> {
+    const parts = this.#exerciseParts();
+    const drawings = parts.flatMap((part) => (part instanceof HTMLImageElement && !part.hidden ? [part] : []));
+    await Promise.all(drawings.map((drawing) => drawing.decode().catch(() => undefined)));
+    this.#exercise = parts;
+  }
+
+  #exerciseParts(): readonly HTMLElement[] {
+    return this.#shell.hasService('exerciseSheet') ? this.#shell.service('exerciseSheet')() : [];
+  }
+
   readonly #onBeforePrint = (): void => {
+    if (this.#isTask) this.#fillTask();
+    else this.#fillProgram();
+    this.#shell.frame.classList.toggle('has-sheet-drawing', this.#isTask || this.#picture.src !== '');
+  };
+
+  /** The task, and a form to write the program by hand. */
+  #fillTask(): void {
+    const texts = WORDS[this.#shell.language];
+    const cells = ['N', texts.block, texts.remark].map((text) => make('th', { scope: 'col' }, text));
+    const rows = Array.from({ length: FORM_ROWS }, () => make('tr', {}, ...cells.map(() => make('td'))));
+    this.#sheet.replaceChildren(
+      make('p', { className: 'sheet-names' }, make('span', {}, texts.name), make('span', {}, texts.date)),
+      ...(this.#exercise ?? this.#exerciseParts()),
+      make(
+        'table',
+        { className: 'sheet-form' },
+        make('thead', {}, make('tr', {}, ...cells)),
+        make('tbody', {}, ...rows),
+      ),
+    );
+  }
+
+  #fillProgram(): void {
     const { language, editor } = this.#shell;
     const texts = WORDS[language];
     const name = editor.file?.name ?? programName(editor.text);
@@ -103,6 +156,7 @@ class Print implements Panel {
     );
     const more = lines.length - MAX_LINES;
     this.#sheet.replaceChildren(
+      ...(this.#exercise ?? this.#exerciseParts()),
       ...(name === undefined ? [] : [make('h1', {}, name)]),
       ...(this.#picture.src === '' ? [] : [this.#picture]),
       ...this.#problems(texts),
@@ -111,14 +165,14 @@ class Print implements Panel {
       program,
       ...(more > 0 ? [make('p', {}, texts.more(more))] : []),
     );
-    this.#shell.frame.classList.toggle('has-sheet-drawing', this.#picture.src !== '');
-  };
+  }
 
   readonly #onAfterPrint = (): void => {
     this.#sheet.replaceChildren();
     if (this.#picture.src !== '') URL.revokeObjectURL(this.#picture.src);
     this.#picture.removeAttribute('src');
     this.#prepared = undefined;
+    this.#exercise = undefined;
     this.#shell.frame.classList.remove('has-sheet-drawing');
   };
 
@@ -176,6 +230,10 @@ const WORDS = words({
     more: (n: number) => `… and ${n} more`,
     assumed: (value: string) => `${value} (assumed)`,
     outOfJaws: (mm: number) => `Blank out of the jaws: ${mm} mm`,
+    name: 'Name:',
+    date: 'Date:',
+    block: 'Block',
+    remark: 'Remark',
   },
   zh: {
     problems: '问题',
@@ -183,6 +241,10 @@ const WORDS = words({
     more: (n) => `……另有 ${n} 项`,
     assumed: (value) => `${value}（假定）`,
     outOfJaws: (mm) => `毛坯伸出卡爪的长度：${mm} mm`,
+    name: '姓名：',
+    date: '日期：',
+    block: '程序段',
+    remark: '说明',
   },
   ru: {
     problems: 'Замечания',
@@ -190,5 +252,9 @@ const WORDS = words({
     more: (n) => `… и ещё ${n}`,
     assumed: (value) => `${value} (по умолчанию)`,
     outOfJaws: (mm) => `Вылет заготовки из кулачков: ${mm} мм`,
+    name: 'Фамилия, имя:',
+    date: 'Дата:',
+    block: 'Кадр',
+    remark: 'Примечание',
   },
 });

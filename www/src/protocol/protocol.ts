@@ -48,6 +48,7 @@ import type {
   StopSwitch,
   Stroke,
   Summary,
+  Tidied,
   Totals,
   Units,
   UsesHelp,
@@ -77,6 +78,7 @@ export type {
   StopSwitch,
   Stroke,
   Summary,
+  Tidied,
   Totals,
   Units,
 };
@@ -241,6 +243,15 @@ export interface PlayResult {
 }
 
 /** The program with every cycle expanded; `tokens` as in the question `tokens`, empty for a very long text. */
+/** The new sequence numbers. */
+export interface Numbering {
+  /** The number of the first block, and the difference to the next one; from 1 on. */
+  readonly from: number;
+  readonly step: number;
+  /** The blocks that get a number; `none` removes the numbers that nothing refers to. */
+  readonly blocks: 'numbered' | 'all' | 'none';
+}
+
 export interface ExpandedProgram {
   readonly text: string;
   readonly tokens: Uint32Array;
@@ -299,6 +310,10 @@ export interface Questions {
   expand: { args: undefined; answer: ExpandedProgram };
   /** Parts of the selected text that can be rewritten as a cycle. */
   rewritings: { args: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
+  /** The edits that format the program, or why it stays as it is. */
+  formatted: { args: undefined; answer: Tidied };
+  /** The edits that renumber the program, or why it stays as it is. */
+  renumbered: { args: Numbering; answer: Tidied };
   codes: { args: undefined; answer: Codes };
   /**
    * The form of a calculator: with the values of the block of the last question at the cursor (undefined if there is a
@@ -429,6 +444,8 @@ export const RUN_DEPENDENT = {
   totals: true,
   expand: true,
   rewritings: true,
+  formatted: true,
+  renumbered: true,
   section: true,
   'speed-chart': true,
   holes: true,

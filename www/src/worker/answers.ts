@@ -50,6 +50,8 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   },
   expand: { needs: TEXT_PARTS, answer: expandProgram },
   rewritings: { needs: TEXT_PARTS, answer: (core, { from, to }) => core.rewritings(from, to) },
+  formatted: { needs: TEXT_PARTS, answer: (core) => core.formatted() },
+  renumbered: { needs: TEXT_PARTS, answer: (core, { from, step, blocks }) => core.renumbered(from, step, blocks) },
   codes: { needs: TEXT_PARTS, answer: (core) => core.codes() },
   exercise: {
     needs: TEXT_PARTS,
