@@ -7,7 +7,7 @@
 
 use crate::assist::names::{Name, Named, names};
 use crate::control::words::plain;
-use crate::message::{Diagnostic, said};
+use crate::message::{Diagnostic, Edit, applied, said};
 use crate::references::{References, Target};
 use crate::run::{Analysis, analyze};
 use crate::sentences::Language;
@@ -47,7 +47,7 @@ impl Difference {
 
     /// Why the text stays as it is.
     pub fn reason(self, language: Language) -> &'static str {
-        let [english, chinese, russian] = match self {
+        language.among(match self {
             Self::OtherControl => [
                 "it is a program for another control",
                 "这是其他控制系统的程序",
@@ -67,13 +67,13 @@ impl Difference {
                 "с этого кадра перемещения были бы другими",
             ],
             Self::Messages => ["the messages would differ", "提示信息会不同", "сообщения были бы другими"],
-        };
-        match language {
-            Language::English => english,
-            Language::Chinese => chinese,
-            Language::Russian => russian,
-        }
+        })
     }
+}
+
+/// The first difference that edits make; `None` if the program stays the same.
+pub fn difference_by(edits: &[Edit], text: &[u8], setup: &Setup) -> Option<Difference> {
+    if edits.is_empty() { None } else { difference(text, &applied(text, edits), setup) }
 }
 
 /// The first difference; `None` if both texts are the same program.

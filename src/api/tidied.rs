@@ -8,7 +8,7 @@ use tsify::Tsify;
 use super::{Edit, Places};
 use crate::format;
 use crate::message;
-use crate::proof::difference;
+use crate::proof::difference_by;
 use crate::renumber::{self, Numbering, Source};
 use crate::run::Run;
 use crate::sentences::Language;
@@ -52,10 +52,9 @@ impl Places<'_> {
     }
 
     fn proved(&self, run: &Run, edits: &[message::Edit], language: Language) -> Tidied {
-        let changed = message::applied(self.text, edits);
-        match difference(self.text, &changed, &run.setup_to_repeat()) {
-            Some(found) if !edits.is_empty() => self.refused(found.span(), found.reason(language).to_owned()),
-            _ => {
+        match difference_by(edits, self.text, &run.setup_to_repeat()) {
+            Some(found) => self.refused(found.span(), found.reason(language).to_owned()),
+            None => {
                 let rows = edits.iter().map(|edit| self.edit(edit.span, edit.text.clone()));
                 Tidied::Edits { edits: rows.collect() }
             }

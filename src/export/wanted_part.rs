@@ -53,32 +53,18 @@ fn dimensions(target: &Target, general: Tolerance) -> Vec<Annotation> {
 
 /// The edge whose size a dimension is, and the tolerance of this size; `None` if it is not measured.
 fn measured<'a>(dimension: &Annotation, target: &'a Target) -> Option<(&'a Edge, Tolerance)> {
-    let mut edges = target.edges.iter().filter(|edge| !edge.is_free);
     let has_end = |edge: &Edge, at: Point| [edge.from, edge.to].iter().any(|end| is_near(*end, at));
-    match (&dimension.shape, dimension.label.value) {
-        (Shape::DiameterThrough(at), _) => {
-            let is_own = |edge: &&Edge| edge.size() == Size::Diameter && is_near(edge.middle(), *at);
-            edges.find(is_own).map(|edge| (edge, edge.tolerance))
-        }
-        (Shape::Diameter(at), _) => {
-            let is_own = |edge: &&Edge| edge.size() == Size::Taper && has_end(edge, *at);
-            edges.find(is_own).map(|edge| (edge, edge.tolerance))
-        }
-        (Shape::Axial([_, end]), _) => {
-            let is_own =
-                |edge: &&Edge| edge.size() == Size::Length && (edge.from.z - end.z).abs() < SAME_PLACE;
-            edges.find(is_own).map(|edge| (edge, edge.tolerance))
-        }
-        (Shape::Radius { on, .. }, _) => {
-            let is_own = |edge: &&Edge| edge.size() == Size::Radius && edge.distance(*on) < SAME_PLACE;
-            edges.find(is_own).map(|edge| (edge, edge.tolerance))
-        }
-        (Shape::Note(at), Some(Measure::Degrees(_))) => {
-            let is_own = |edge: &&Edge| edge.size() == Size::Taper && is_near(edge.middle(), *at);
-            edges.find(is_own).map(|edge| (edge, edge.angle))
-        }
-        _ => None,
-    }
+    let is_angle = matches!(dimension.label.value, Some(Measure::Degrees(_)));
+    let is_own = |edge: &&Edge| match (edge.size(), &dimension.shape) {
+        (Size::Diameter, Shape::DiameterThrough(at)) => is_near(edge.middle(), *at),
+        (Size::Taper, Shape::Diameter(at)) => has_end(edge, *at),
+        (Size::Length, Shape::Axial([_, end])) => (edge.from.z - end.z).abs() < SAME_PLACE,
+        (Size::Radius, Shape::Radius { on, .. }) => edge.distance(*on) < SAME_PLACE,
+        (Size::Taper, Shape::Note(at)) => is_angle && is_near(edge.middle(), *at),
+        _ => false,
+    };
+    let edge = target.edges.iter().filter(|edge| !edge.is_free).find(is_own)?;
+    Some((edge, if is_angle { edge.angle } else { edge.tolerance }))
 }
 
 fn is_near(a: Point, b: Point) -> bool {

@@ -75,6 +75,11 @@ impl Point {
     }
 }
 
+/// The least and the greatest of values; `None` without values.
+pub fn extent(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    values.map(|value| [value; 2]).reduce(|[least, most], [value, _]| [least.min(value), most.max(value)])
+}
+
 /// The remainder of a value divided by a positive period, from 0 to the period. Unlike `rem_euclid` it does
 /// not add `fmod` to the core of the module.
 pub fn wrapped(value: f64, period: f64) -> f64 {

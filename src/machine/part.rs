@@ -80,9 +80,14 @@ impl Half {
     fn at_tool(self, past: f64) -> f64 {
         match self {
             Self::Tool => past,
-            Self::Opposite => (past + 0.5).fract(),
+            Self::Opposite => half_a_turn_further(past),
         }
     }
+}
+
+/// An angle of the spindle past a whole turn, in turns.
+fn half_a_turn_further(past: f64) -> f64 {
+    (past + 0.5).fract()
 }
 
 /// The workpiece after `done` motions.
@@ -134,7 +139,6 @@ impl Part {
     /// The opposite half with the same motions done, before the first thread that cuts turns.
     pub fn opposite(&mut self) -> Self {
         self.remove_waiting();
-        let half_a_turn_further = |past: f64| (past + 0.5).fract();
         let turned = Turned { past: self.turned.past.map(half_a_turn_further), ..self.turned.clone() };
         let region = self.now.clone();
         let start = Kept { done: self.done, turned: turned.clone(), region: region.clone() };
@@ -142,14 +146,12 @@ impl Part {
             blank: self.blank.clone(),
             now: region,
             done: self.done,
-            waiting: Vec::new(),
-            corners: 0,
             turned,
             half: Half::Opposite,
             kept_corners: start.region.corners(),
             kept: vec![start],
             stride: self.stride,
-            last: RefCell::new(None),
+            ..Self::default()
         }
     }
 

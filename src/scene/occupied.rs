@@ -4,7 +4,7 @@
 //! costs the same for ten strokes and for a million.
 
 use super::camera::{Camera, Pixel, Size};
-use super::work::closed;
+use super::work::{closed, outlines};
 use super::{Plane, Scene, StrokeShape};
 use crate::geometry::Point;
 use crate::machine::region::Region;
@@ -95,10 +95,9 @@ impl Occupied {
     /// The map of the half-section of a part, above and below the axis.
     pub fn of_part(part: &Region, camera: &Camera) -> Self {
         let mut map = Self::empty(camera);
-        let closed = |outline: Vec<Point>| [&outline[..], &outline[..1]].concat();
-        let outlines: Vec<Vec<Point>> = part.outlines().map(|outline| closed(outline.collect())).collect();
+        let closed = closed(&outlines(part));
         for &side in Plane::Section.sides() {
-            map.outlines(outlines.iter().cloned(), side, camera);
+            map.outlines(closed.iter().cloned(), side, camera);
         }
         map
     }

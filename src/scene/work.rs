@@ -281,7 +281,8 @@ fn is_between(point: Point, edge: &[Point]) -> bool {
     (from.distance(point) + point.distance(to) - from.distance(to)).abs() <= ON_EDGE
 }
 
-fn outlines(region: &Region) -> Outlines {
+/// The outlines of a region.
+pub(super) fn outlines(region: &Region) -> Outlines {
     region.outlines().map(Iterator::collect).collect()
 }
 

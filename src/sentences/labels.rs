@@ -16,7 +16,7 @@ use crate::units::{self, number};
 
 impl Language {
     /// Chooses the text of this language.
-    pub(super) fn among(self, [english, chinese, russian]: [&'static str; 3]) -> &'static str {
+    pub(crate) fn among(self, [english, chinese, russian]: [&'static str; 3]) -> &'static str {
         match self {
             Self::English => english,
             Self::Chinese => chinese,

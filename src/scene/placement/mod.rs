@@ -12,7 +12,7 @@ use super::annotation::{Annotation, Importance, Shape};
 use super::camera::{Camera, Pixel};
 use super::hatch::{Slant, hatch_slanted};
 use super::occupied::{Occupied, Rectangle};
-use crate::geometry::{Point, SAME, within};
+use crate::geometry::{Point, SAME, extent, within};
 use crate::units::Unit;
 
 mod candidates;
@@ -90,8 +90,7 @@ impl Placed {
     pub fn down(&self) -> Option<[f64; 2]> {
         let lines = self.lines.iter().chain(&self.edges).flatten().chain(&self.dots).map(|at| at.y);
         let areas = self.labels.iter().flat_map(|label| [label.area.min.y, label.area.max.y]);
-        let all = lines.chain(areas).map(|y| [y, y]);
-        all.reduce(|[least, most], [y, _]| [least.min(y), most.max(y)])
+        extent(lines.chain(areas))
     }
 }
 

@@ -10,7 +10,7 @@ use super::super::palette::Palette;
 use super::super::placement::{DOT, END, place};
 use super::caption::escaped;
 use super::{Contents, Drawing, SvgOptions, drawn, number, pixel, polylines};
-use crate::geometry::Point;
+use crate::geometry::{Point, extent};
 
 /// Style rules of annotations.
 pub(super) const SHAPES: &str = "\
@@ -32,8 +32,7 @@ impl Drawing {
     fn part_down(&self, scene: &Scene) -> Option<[f64; 2]> {
         let corners = scene.work()?.part.iter().flatten();
         let sides = corners.flat_map(|at| [at.x, -at.x].map(|x| Point::new(x, at.z)));
-        let all = sides.map(|at| self.camera.to_screen(at).y).map(|y| [y, y]);
-        all.reduce(|[least, most], [y, _]| [least.min(y), most.max(y)])
+        extent(sides.map(|at| self.camera.to_screen(at).y))
     }
 
     /// Draws annotations over the strokes; their labels cover no stroke.
@@ -49,14 +48,13 @@ impl Drawing {
         let strokes = drawn(scene, options).map(|stroke| self.apart.directed(&stroke));
         let occupied = Occupied::of(scene, &self.camera, strokes);
         let placed = place(&annotations, &occupied, &self.camera, options.scale.unit);
-        let axis = [self.camera.to_screen(Point::default()).y; 2];
+        let axis = self.camera.to_screen(Point::default()).y;
         let drawn = match options.contents {
             Contents::All => occupied.down(),
             // Blank and obstacles are not drawn.
             Contents::Part => self.part_down(scene),
         };
-        let all = [drawn, placed.down(), Some(axis)].into_iter().flatten();
-        self.down = all.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
+        self.down = extent([drawn, placed.down()].into_iter().flatten().flatten().chain([axis]));
         let mut heads = String::new();
         for [tip, a, b] in &placed.heads {
             let _ = write!(heads, "M{}L{}L{}Z", pixel(*tip), pixel(*a), pixel(*b));

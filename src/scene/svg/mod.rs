@@ -246,6 +246,12 @@ impl Drawing {
     fn all(&mut self, scene: &Scene, options: &SvgOptions) {
         let Size { width, height } = self.camera.size();
         let is_print = options.ground == Ground::Print;
+        // A printed picture has neither grid nor rulers.
+        let ticks = || scene.axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
+        let ticks = (!is_print).then(ticks);
+        if let Some([along, across]) = &ticks {
+            self.grid(along, across);
+        }
         self.picture(scene, options);
         let picture = std::mem::take(&mut self.text);
         // Without rulers their space is cut off, and so is that above and below an annotated picture.
@@ -296,9 +302,8 @@ impl Drawing {
         self.line(&format!(r#"<svg x="{x}"{down} width="{w}" height="{h}" viewBox="{x} {y} {w} {h}">"#));
         self.text.push_str(&picture);
         self.line("</svg>");
-        if !is_print {
-            let [along, across] = scene.axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
-            self.rulers(scene.axes(), options.scale.symbol, &along, &across);
+        if let Some([along, across]) = &ticks {
+            self.rulers(scene.axes(), options.scale.symbol, along, across);
         }
         if let Some((_, rows)) = under {
             self.text.push_str(&rows);
@@ -306,12 +311,8 @@ impl Drawing {
         self.line("</svg>");
     }
 
-    /// The picture without rulers and caption.
+    /// The picture without grid, rulers and caption.
     fn picture(&mut self, scene: &Scene, options: &SvgOptions) {
-        let [along, across] = scene.axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
-        if options.ground != Ground::Print {
-            self.grid(&along, &across);
-        }
         self.work(scene, options.contents);
         self.compared(scene);
         self.center_lines(scene.plane());

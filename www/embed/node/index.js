@@ -1,8 +1,8 @@
 // The interpreter in Node: functions of a text, without configuration.
 //
 // In: a program, a setup. Out: its messages, its motions, its drawing, its part; the program written in another way;
-// differences, other programs. The module and its parts are read from the
-// package at the first call. Must not know: the page or the element.
+// differences, other programs. The module and its parts are read from the package at the first call. Must not know: the
+// page or the element.
 
 import { readFileSync } from 'node:fs';
 import { initSync, PastedText, Playground } from './gcode_playground.js';
@@ -56,11 +56,16 @@ function withRun(text, setup, options, use) {
   }
 }
 
-export function check(text, setup, options) {
+/** As `withRun`, with all material removed. */
+function withPart(text, setup, options, use) {
   return withRun(text, setup, options, (playground) => {
     while (!playground.removeMaterial(AT_ONCE));
-    return playground.diagnosticsAsWritten();
+    return use(playground);
   });
+}
+
+export function check(text, setup, options) {
+  return withPart(text, setup, options, (playground) => playground.diagnosticsAsWritten());
 }
 
 export function motions(text, setup, options) {
@@ -68,24 +73,15 @@ export function motions(text, setup, options) {
 }
 
 export function svg(text, setup, options) {
-  return withRun(text, setup, options, (playground) => {
-    while (!playground.removeMaterial(AT_ONCE));
-    return new TextDecoder().decode(playground.exportFile('svg'));
-  });
+  return withPart(text, setup, options, (playground) => new TextDecoder().decode(playground.exportFile('svg')));
 }
 
 export function summary(text, setup, options) {
-  return withRun(text, setup, options, (playground) => {
-    while (!playground.removeMaterial(AT_ONCE));
-    return playground.summary();
-  });
+  return withPart(text, setup, options, (playground) => playground.summary());
 }
 
 export function part(text, setup, options) {
-  return withRun(text, setup, options, (playground) => {
-    while (!playground.removeMaterial(AT_ONCE));
-    return playground.part();
-  });
+  return withPart(text, setup, options, (playground) => playground.part());
 }
 
 export function expand(text, setup, options) {
@@ -109,11 +105,8 @@ export function renumber(text, { from = 10, step = 10, blocks = 'numbered' } = {
 }
 
 export function diff(before, after, setup, options) {
-  return withRun(before, setup, options, (first) =>
-    withRun(after, setup, options, (second) => {
-      for (const playground of [first, second]) while (!playground.removeMaterial(AT_ONCE));
-      return second.differenceFrom(first);
-    }),
+  return withPart(before, setup, options, (first) =>
+    withPart(after, setup, options, (second) => second.differenceFrom(first)),
   );
 }
 

@@ -196,7 +196,7 @@ class AnswersDialog {
     if (isAdded) this.#links.value = '';
   }
 
-  /** Adds and grades answers, each shown at once. Returns whether any was added. */
+  /** Adds answers to the table, grading one after the other. Returns whether the table has new rows. */
   async #add(read: () => Promise<AnswerRow[]>): Promise<boolean> {
     const host = this.#host;
     if (host === undefined) return false;

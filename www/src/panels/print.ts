@@ -39,7 +39,7 @@ class Print implements Panel {
   /** Whether the sheet is the task of the exercise with a form instead of the program. */
   #isTask = false;
   /** The exercise with its decoded drawing; undefined if printing was started from the browser's menu. */
-  #exercise: readonly HTMLElement[] | undefined;
+  #preparedExercise: readonly HTMLElement[] | undefined;
   readonly elements = { dialogs: [this.#sheet] };
   readonly services: Partial<Services> = { printTask: () => void this.#printTask() };
 
@@ -107,14 +107,17 @@ class Print implements Panel {
   }
 
   async #prepareExercise(): Promise<void> {
-    const parts = this.#exerciseParts();
+    this.#preparedExercise = undefined;
+    const parts = this.#exercise;
     const drawings = parts.flatMap((part) => (part instanceof HTMLImageElement && !part.hidden ? [part] : []));
     await Promise.all(drawings.map((drawing) => drawing.decode().catch(() => undefined)));
-    this.#exercise = parts;
+    this.#preparedExercise = parts;
   }
 
-  #exerciseParts(): readonly HTMLElement[] {
-    return this.#shell.hasService('exerciseSheet') ? this.#shell.service('exerciseSheet')() : [];
+  get #exercise(): readonly HTMLElement[] {
+    const sheet = (): readonly HTMLElement[] =>
+      this.#shell.hasService('exerciseSheet') ? this.#shell.service('exerciseSheet')() : [];
+    return this.#preparedExercise ?? sheet();
   }
 
   readonly #onBeforePrint = (): void => {
@@ -130,7 +133,7 @@ class Print implements Panel {
     const rows = Array.from({ length: FORM_ROWS }, () => make('tr', {}, ...cells.map(() => make('td'))));
     this.#sheet.replaceChildren(
       make('p', { className: 'sheet-names' }, make('span', {}, texts.name), make('span', {}, texts.date)),
-      ...(this.#exercise ?? this.#exerciseParts()),
+      ...this.#exercise,
       make(
         'table',
         { className: 'sheet-form' },
@@ -156,7 +159,7 @@ class Print implements Panel {
     );
     const more = lines.length - MAX_LINES;
     this.#sheet.replaceChildren(
-      ...(this.#exercise ?? this.#exerciseParts()),
+      ...this.#exercise,
       ...(name === undefined ? [] : [make('h1', {}, name)]),
       ...(this.#picture.src === '' ? [] : [this.#picture]),
       ...this.#problems(texts),
@@ -172,7 +175,7 @@ class Print implements Panel {
     if (this.#picture.src !== '') URL.revokeObjectURL(this.#picture.src);
     this.#picture.removeAttribute('src');
     this.#prepared = undefined;
-    this.#exercise = undefined;
+    this.#preparedExercise = undefined;
     this.#shell.frame.classList.remove('has-sheet-drawing');
   };
 
