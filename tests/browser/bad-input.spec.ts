@@ -1,6 +1,6 @@
 // With any bad input, the page responds within seconds, shows a message, and keeps working.
 import { chromiumTest, expect, test, type Page, nightUnless } from './engines';
-import { open, openFile, openProblems, problems, status, type } from './page';
+import { chooseFile, open, openFile, openProblems, problems, status, type } from './page';
 
 const FIVE_MB = 5 * 1024 * 1024;
 
@@ -30,7 +30,7 @@ test('the page handles a single opening parenthesis', async ({ page }) => {
 for (const byte of ['X', '(', '0', '\n', '%']) {
   test(`the page handles 5 MB of ${JSON.stringify(byte)}`, nightUnless(byte === 'X'), async ({ page }) => {
     await open(page);
-    await openFile(page, 'same.nc', new Uint8Array(FIVE_MB).fill(byte.charCodeAt(0)));
+    await chooseFile(page, 'same.nc', new Uint8Array(FIVE_MB).fill(byte.charCodeAt(0)));
     await expect(page.getByText('Opened same.nc')).toBeVisible();
     await expect(status(page)).toContainText(/^0 motions/, { timeout: 15_000 });
     await stillWorks(page);
@@ -77,7 +77,7 @@ chromiumTest('a report of a long text is made in linear time', async () => {
 test('the page handles a binary file', async ({ page }) => {
   await open(page);
   const bytes = new Uint8Array(256 * 1024).map((_, i) => (i * 7919 + (i >> 8) * 31) & 0xff);
-  await openFile(page, 'picture.png', bytes);
+  await chooseFile(page, 'picture.png', bytes);
   await expect(page.getByText(/does not look like text/)).toBeVisible();
   await expect(status(page)).toContainText(/problem/, { timeout: 15_000 });
   await stillWorks(page);

@@ -2,7 +2,7 @@
 import { expect, test, type Page, nightUnless } from './engines';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { choose, chooseLanguage, editor, open, openFile, reload, status, value } from './page';
+import { choose, chooseFile, chooseLanguage, editor, open, reload, status, value } from './page';
 
 /** The same cases are tested with the command line. */
 const cases = (
@@ -18,7 +18,7 @@ const encoding = (page: Page) => page.getByRole('combobox', { name: 'Encoding' }
 /** Opens the page and then a file. */
 async function openAlone(page: Page, name: string, bytes: Buffer): Promise<void> {
   await open(page);
-  await openFile(page, name, bytes);
+  await chooseFile(page, name, bytes);
   await expect(page.getByText(`Opened ${name}`)).toBeVisible();
 }
 
@@ -89,7 +89,7 @@ test('editing one word changes nothing else in the file', async ({ page }) => {
   const head = Buffer.from('O1 (', 'latin1');
   const chinese = Buffer.from([0xb4, 0xd6, 0xb3, 0xb5]);
   const tail = (x: string) => Buffer.from(`)\r\nG0 X${x} Z2\nG1 Z-9 F1\rM30\r\n\u001a`, 'latin1');
-  await openFile(page, 'edit.nc', Buffer.concat([head, chinese, tail('5')]));
+  await chooseFile(page, 'edit.nc', Buffer.concat([head, chinese, tail('5')]));
   await expect(encoding(page)).toHaveValue('gb18030');
   await cursorAfter(page, 2, 'G0 X5');
   await page.keyboard.type('0');
@@ -124,7 +124,7 @@ test('a character outside of the encoding is reported, and the file is saved as 
     Buffer.from([0xd0, 0xe5, 0xe7, 0xe5, 0xf6]),
     Buffer.from(')\r\nM30\r\n'),
   ]);
-  await openFile(page, 'резец.nc', bytes);
+  await chooseFile(page, 'резец.nc', bytes);
   await expect(encoding(page)).toHaveValue('windows-1251');
   await cursorAfter(page, 1, '(Резец');
   await page.keyboard.insertText('😀');
@@ -145,7 +145,7 @@ test('a wrongly detected encoding can be corrected, also after an edit', async (
   await open(page);
   // 粗车 between Russian words: GB18030 is not the intended encoding.
   const bytes = Buffer.concat([Buffer.from('O1\n('), Buffer.from([0xb4, 0xd6, 0xb3, 0xb5]), Buffer.from(')\nG0 X1\n')]);
-  await openFile(page, 'guess.nc', bytes);
+  await chooseFile(page, 'guess.nc', bytes);
   await expect.poll(() => value(page)).toBe('O1\n(粗车)\nG0 X1\n');
   await cursorAfter(page, 3, 'G0 X1');
   await page.keyboard.type('0');
@@ -161,7 +161,7 @@ test('a wrongly detected encoding can be corrected, also after an edit', async (
   await expect(page.getByText('will be saved as UTF-8')).toBeVisible();
   expect((await save(page)).bytes.toString('utf8')).toBe('O1\n(粗车)\nG0 X10\n');
 
-  await openFile(page, 'ru.nc', Buffer.from([0x28, 0xd0, 0xe5, 0xe7, 0xe5, 0xf6, 0x29]));
+  await chooseFile(page, 'ru.nc', Buffer.from([0x28, 0xd0, 0xe5, 0xe7, 0xe5, 0xf6, 0x29]));
   await expect(encoding(page)).toHaveValue('windows-1251');
   await encoding(page).selectOption('gb18030');
   await expect(page.getByText('ru.nc is not GB18030 text; it stays Windows-1251.')).toBeVisible();
@@ -173,9 +173,9 @@ test('after a reload, and after undoing another file, a program is still saved i
 }) => {
   await open(page);
   const first = Buffer.concat([Buffer.from('(Gr'), Buffer.from([0xf6, 0xdf]), Buffer.from('e)\r\nG0 X1 Z1\nM30\r\n')]);
-  await openFile(page, 'first.nc', first);
+  await chooseFile(page, 'first.nc', first);
   await expect(encoding(page)).toHaveValue('windows-1252');
-  await openFile(page, 'second.nc', Buffer.from('G0 X2 Z2\nG1 Z1 F1\n'));
+  await chooseFile(page, 'second.nc', Buffer.from('G0 X2 Z2\nG1 Z1 F1\n'));
   await expect(encoding(page)).toHaveValue('utf-8');
   await editor(page).focus();
   await page.keyboard.press('Control+Z');

@@ -1,7 +1,19 @@
 // Exported files: each kind is chosen from the menu "Share" and has the expected content.
 import { expect, test, type Page } from './engines';
 import { readFileSync } from 'node:fs';
-import { choose, editor, motionCount, open, openFile, openMenu, settled, status, titleText, type } from './page';
+import {
+  choose,
+  chooseFile,
+  editor,
+  motionCount,
+  open,
+  openFile,
+  openMenu,
+  settled,
+  status,
+  titleText,
+  type,
+} from './page';
 
 const button = (page: Page) => page.getByRole('button', { name: 'Share' });
 const menu = (page: Page) => page.getByRole('menu', { name: 'Share' });
@@ -81,7 +93,7 @@ test('every kind of file contains the program', async ({ page }) => {
 
 test('files are named after the opened file, and the program keeps its encoding', async ({ page }) => {
   await open(page);
-  await openFile(
+  await chooseFile(
     page,
     'втулка.MPF.nc',
     new Uint8Array([

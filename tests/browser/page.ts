@@ -142,11 +142,21 @@ export async function goTo(page: BasicPage, line: number, letter = 0): Promise<v
   for (let at = 0; at < letter; at++) await page.keyboard.press('ArrowRight');
 }
 
-/** Opens a text as a file; for texts that are too long to type. */
-export async function openFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
+/** Chooses a file in the dialog of "Open…", and does not wait for what follows. */
+export async function chooseFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
   await page
     .locator('input[type=file][accept*=".nc"]')
     .setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });
+}
+
+/** Opens a UTF-8 text as a file and waits until it is the program; for texts that are too long to type. */
+export async function openFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
+  const text = new TextDecoder('utf-8', { fatal: true }).decode(bytes).replaceAll(/\r\n?/g, '\n');
+  await chooseFile(page, name, bytes);
+  // Not `toHaveValue`: the text may be long, and a difference is told by its length.
+  await expect
+    .poll(async () => ((await value(page)) === text ? 'the file' : 'another program'), { timeout: 30_000 })
+    .toBe('the file');
 }
 
 /** The whole text of the editor. */

@@ -1,7 +1,7 @@
 // Pasting or opening a text that contains more than a program: the page offers to extract programs, and typed text is
 // never lost.
 import { chromiumTest, expect, test, type BasicPage } from './engines';
-import { choose, copy, editor, open, openFile, status, value } from './page';
+import { choose, chooseFile, copy, editor, open, status, value } from './page';
 import { runBeforeWorker } from './worker-script';
 
 const dialog = (page: BasicPage) => page.getByRole('dialog', { name: 'Programs in this text' });
@@ -133,7 +133,7 @@ test('a plain program is pasted without a message, and a text without programs i
 test('all lost signs are answered in one step, in a file that is opened', async ({ page }) => {
   await open(page);
   const text = 'Setup sheet\nO6003\nG00 X70 Z3 to the start\nG90 X62 Z43 F0.3\nX60.4\nG90 X58.4 Z20 R2.3\nM30\n';
-  await openFile(page, 'card.txt', new TextEncoder().encode(text));
+  await chooseFile(page, 'card.txt', new TextEncoder().encode(text));
   await expect(dialog(page)).toBeVisible();
   await dialog(page).getByRole('button', { name: 'All of these negative' }).click();
   await dialog(page).getByRole('button', { name: 'Take this program' }).click();
