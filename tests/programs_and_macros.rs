@@ -196,3 +196,22 @@ fn a_subprogram_before_its_main_program_keeps_the_word_of_the_system() {
     let codes: Vec<_> = analysis.diagnostics.iter().map(|found| found.message.code()).collect();
     assert!(codes.contains(&"I-G-SYSTEM"), "{codes:?}");
 }
+
+/// P, Q and L of M98 and M99 are neither the dwell of the hole cycle in force nor starts, start angle or chamfer
+/// of the move in their block.
+#[test]
+fn the_words_of_a_call_are_not_those_of_the_move() {
+    let hole = |x: u32| format!("R({x},50) R({x},2) F({x},-5) R({x},50)");
+    let holes = [0, 10, 20].map(hole).join(" ");
+    let drill = "M3 S500 F100\nG83 X0 Z-5 R-48";
+    check(&format!("O1\n{drill}\nM98 P200\nX20\nG80\nM30\nO200\nX10\nM99"), &holes);
+    check(&format!("O1\nM98 P200\nN7 X20\nG80\nM30\nO200\n{drill}\nX10\nM99 P7"), &holes);
+    // P of these codes is a frame or a spindle.
+    check(&format!("{drill}\nG54.1 P1\nX10\nG97 S500 P1\nX20\nG80\nM30"), &holes);
+    let gsk = r#"{"initial": {"x": 32, "z": 2}, "dialect": {"control": "gsk", "feedMode": "G99"}}"#;
+    let pass = |x: u32| format!("R({x},2) T({x},-10)L2 R(32,-10) R(32,2)");
+    let thread = "M3 S500\nG92 X29 Z-10 F2\nX28 M98 P200 L2\nM30\nO200\nX27\nM99";
+    check_with(gsk, thread, &[29, 28, 27, 27].map(pass).join(" "));
+    let line = "G01 X32 Z-5 F.2 M98 P200 L2\nM30\nO200\nG01 U5\nM99";
+    check_with(gsk, line, "F(32,-5) F(37,-5) F(42,-5)");
+}

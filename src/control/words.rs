@@ -75,6 +75,13 @@ impl<'b> Words<'b> {
         (before > 0).then(|| &self.block.words[before as usize - 1])
     }
 
+    /// The same words without these letters.
+    pub fn without(&self, bits: u32) -> Self {
+        let index =
+            std::array::from_fn(|letter| if bits & 1 << letter == 0 { self.index[letter] } else { 0 });
+        Self { block: self.block, index, given: self.given & !bits, read: self.read.clone() }
+    }
+
     /// The letters in the block, as the bits of [`letters`].
     pub fn given(&self) -> u32 {
         self.given

@@ -20,6 +20,9 @@ use crate::motion::{Quill, SpindleTurn};
 use crate::parts::early;
 use crate::text::block::{Block, BlockKind, Word};
 
+/// The words of M97, M98 and M99, which a modal cycle or a move in the same block does not use.
+const OF_CALL: u32 = letters(b"LPQ");
+
 early! {
     fn words_with_expressions(control: &mut Interpreter, text: &[u8], block: &Block, here: BlockPosition) -> Flow {
         control.words_with_expressions(text, block, here)
@@ -207,7 +210,14 @@ impl Interpreter {
                 self.doubt_block(&request, &words);
             }
             let before = self.state.doubts;
-            self.make_motions(text, block, &mut request, &words);
+            let without_call;
+            let of_move = if request.call_code.is_some() && request.one_shot.is_none() {
+                without_call = words.without(OF_CALL);
+                &without_call
+            } else {
+                &words
+            };
+            self.make_motions(text, block, &mut request, of_move);
             let unread = words.unread();
             if request.drop {
                 self.refuse(text, block, &request, &words);

@@ -96,7 +96,9 @@ impl Interpreter {
         if let Some(r) = length(b'R') {
             memory.r = Some(r);
         }
-        if let Some(dwell) = words.get(b'P').and_then(plain) {
+        // P of G54.1 is a frame, and P of G96 an axis.
+        let is_dwell = request.extended_frame.is_none() && request.surface.is_none();
+        if let Some(dwell) = words.get(b'P').filter(|_| is_dwell).and_then(plain) {
             memory.dwell = dwell / 1000.0;
         }
         let depth_words = if face { letters(b"ZW") } else { letters(b"XU") };
