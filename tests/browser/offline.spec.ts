@@ -4,12 +4,12 @@ import { join } from 'node:path';
 import { expect, test, type Page } from './engines';
 import {
   choose,
+  chooseFile,
   chooseExample,
   chooseLanguage,
   drawing,
   editor,
   motionCount,
-  openFile,
   openMenu,
   program,
   type,
@@ -193,7 +193,7 @@ test('a page that is not stored reports what is missing, and retries', async ({ 
   await expect(page.locator('#offline', { hasText: 'Not stored for offline use' })).toBeVisible();
   await page.keyboard.press('Escape');
   await site.stop();
-  await openFile(page, 'part.nc', Buffer.from('G00 X50 Z2\nG01 X40 Z-25 F0.2\nM30\n'));
+  await chooseFile(page, 'part.nc', Buffer.from('G00 X50 Z2\nG01 X40 Z-25 F0.2\nM30\n'));
   const notice = page.getByRole('alert').filter({ hasText: 'no network connection' });
   await expect(notice).toBeVisible();
   await choose(page, 'program', 'Gallery…');

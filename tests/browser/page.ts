@@ -142,7 +142,7 @@ export async function goTo(page: BasicPage, line: number, letter = 0): Promise<v
   for (let at = 0; at < letter; at++) await page.keyboard.press('ArrowRight');
 }
 
-/** Chooses a file in the dialog of "Open…", and does not wait for what follows. */
+/** Chooses a file in the dialog of "Open…", and does not wait until it is open. */
 export async function chooseFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
   await page
     .locator('input[type=file][accept*=".nc"]')
@@ -153,7 +153,7 @@ export async function chooseFile(page: BasicPage, name: string, bytes: Uint8Arra
 export async function openFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
   const text = new TextDecoder('utf-8', { fatal: true }).decode(bytes).replaceAll(/\r\n?/g, '\n');
   await chooseFile(page, name, bytes);
-  // Not `toHaveValue`: the text may be long, and a difference is told by its length.
+  // A failure does not print the texts, which may be long.
   await expect
     .poll(async () => ((await value(page)) === text ? 'the file' : 'another program'), { timeout: 30_000 })
     .toBe('the file');
