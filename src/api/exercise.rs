@@ -192,7 +192,7 @@ pub struct GradedAnswer {
 #[serde(rename_all = "camelCase", rename_all_fields = "camelCase", tag = "kind")]
 pub enum ExerciseRead {
     /// The exercise.
-    Exercise(ExerciseText),
+    Exercise(Box<ExerciseText>),
     /// The file has a fault.
     Fault {
         /// The line, from 1.
@@ -223,6 +223,14 @@ pub struct ExerciseText {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub chapter: Option<String>,
+    /// What the learner does, as in the file.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"write\" | \"fault\" | \"predict\" | \"order\" | \"blanks\"")
+    )]
+    pub task_kind: &'static str,
+    /// Lines of the program, from 1, whose end points are predicted.
+    pub predict: Vec<u32>,
     /// The program that the learner starts with; may be empty.
     pub program: String,
     /// Blank, tools and machine: JSON, or comments.
@@ -233,7 +241,9 @@ impl ExerciseRead {
     /// Reads the text of a file.
     pub fn new(text: &str, language: Language) -> Self {
         match Exercise::read(text) {
-            Ok(exercise) => Self::Exercise(ExerciseText::new(&exercise, version_of(text), language)),
+            Ok(exercise) => {
+                Self::Exercise(Box::new(ExerciseText::new(&exercise, version_of(text), language)))
+            }
             Err(fault) => Self::Fault { line: fault.line, message: describe_fault(&fault, language) },
         }
     }
@@ -279,6 +289,8 @@ impl ExerciseText {
             hints: texts.hints,
             points: exercise.points,
             chapter: exercise.chapter.clone(),
+            task_kind: exercise.kind.name(),
+            predict: exercise.checks.predict.clone(),
             program: exercise.program.clone(),
             setup: exercise.setup_text.clone(),
         }

@@ -10,11 +10,14 @@ use super::codes;
 use super::depth::deepest;
 use super::same_text::blocks_of;
 use super::values::{Range, position};
+use crate::control::words::plain;
 use crate::machine::danger::Danger;
 use crate::message::Diagnostic;
 use crate::motion::{Motion, MotionKind, SpindleSpeed, Step};
 use crate::playback::timing::{assumed_seconds, feed_at, seconds, speed_at, surface_speed};
 use crate::source::Span;
+use crate::text::block::Block;
+use crate::text::parser::Parser;
 use crate::units::Diameter;
 
 /// Greatest distance of two places that are the same, mm.
@@ -143,8 +146,9 @@ pub(super) fn checked(exercise: &Exercise, answer: &Answer, used: &[String], giv
     all.extend(checks.alarms.then(|| run.alarms()));
     all.extend(checks.collisions.then(|| run.collisions()));
     let is_used = |code: &String| used.contains(code);
-    let plain = |check, passed| Checked::new(check, passed, Finding::None, None);
-    all.extend(checks.require.iter().map(|code| plain(Check::Required(code.clone()), is_used(code))));
+    let required =
+        |code: &String| Checked::new(Check::Required(code.clone()), is_used(code), Finding::None, None);
+    all.extend(checks.require.iter().map(required));
     all.extend(checks.forbid.iter().map(|code| run.forbidden(code, is_used(code))));
     all.extend(checks.depth.map(|range| run.depth(range)));
     all.extend(checks.feed.map(|range| run.each(Check::Feed(range), range, |motion| run.feed(motion))));
@@ -287,19 +291,17 @@ impl Checker<'_> {
         Checked::new(Check::OnlyBlanks, passed, Finding::None, None)
     }
 
-    /// Compares each predicted point, one on each line of the answer, with the end of the motions of its line.
+    /// Compares each predicted point with the end of the motions of its line.
     fn predictions(&self, given: &[u8]) -> Vec<Checked> {
-        let text = String::from_utf8_lossy(given);
-        let mut points = text.lines().filter(|line| !line.trim().is_empty()).map(position);
-        let compare = |&line: &u32| {
-            let own = points.next().flatten();
+        let lines = &self.exercise.checks.predict;
+        let compare = |(&line, own): (&u32, Option<[f64; 2]>)| {
             let end = self.end_of_line(line);
             let is_near = |own: [f64; 2], end: [f64; 2]| (own[0] - end[0]).abs().max((own[1] - end[1]).abs());
             let passed = own.zip(end).is_some_and(|(own, end)| is_near(own, end) <= SAME_PLACE);
             let finding = own.map_or(Finding::Unknown, Finding::Place);
             Checked::new(Check::Prediction(line), passed, finding, None)
         };
-        self.exercise.checks.predict.iter().map(compare).collect()
+        lines.iter().zip(predicted(given, lines)).map(compare).collect()
     }
 
     /// The end of the last motion of a line, from 1: X as a diameter, and Z, mm.
@@ -321,6 +323,29 @@ impl Answer {
         };
         self.analysis.motions.iter().map(time).sum()
     }
+}
+
+/// The predicted points of lines, from 1. An answer is one point on each line, or the program with the points as X
+/// and Z of these lines.
+fn predicted(given: &[u8], lines: &[u32]) -> Vec<Option<[f64; 2]>> {
+    let text = String::from_utf8_lossy(given);
+    let mut points = text.lines().filter(|line| !line.trim().is_empty()).map(position).peekable();
+    if points.peek().is_some_and(Option::is_some) {
+        return lines.iter().map(|_| points.next().flatten()).collect();
+    }
+    let rows: Vec<&str> = text.lines().collect();
+    lines.iter().map(|line| end_point(rows.get(*line as usize - 1)?)).collect()
+}
+
+/// X and Z of a block, mm; `None` if one is missing, or if the block has a distance, U or W.
+fn end_point(block_text: &str) -> Option<[f64; 2]> {
+    let mut block = Block::default();
+    Parser::new(block_text.as_bytes()).next_block(&mut block);
+    let value = |address: u8| block.words.iter().find(|word| word.address == address).and_then(plain);
+    if value(b'U').or(value(b'W')).is_some() {
+        return None;
+    }
+    Some([value(b'X')?, value(b'Z')?])
 }
 
 /// Whether a block fills the blanks, `__`, of another one; a blank is not empty.

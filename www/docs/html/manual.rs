@@ -197,7 +197,7 @@ fn exercises(folder: &Path, words: &Words) -> Result<Vec<ExerciseText>, String> 
     let language = Language::from_tag(words.tag);
     let ids = course.split('"').skip(1).step_by(2);
     ids.map(|id| match ExerciseRead::new(&read(&format!("{id}.md"))?, language) {
-        ExerciseRead::Exercise(exercise) => Ok(exercise),
+        ExerciseRead::Exercise(exercise) => Ok(*exercise),
         ExerciseRead::Fault { line, message } => Err(format!("{id}.md:{line}: {message}")),
     })
     .collect()

@@ -10,7 +10,8 @@ import { COMMON, words } from '../dom/words';
 import { programText } from '../editor/program-text';
 import { chapterLink } from '../editor/rule-link';
 import type { ExerciseText, Graded } from '../protocol/protocol';
-import type { Shell } from './panel';
+import { formOf, type ExerciseForm } from './exercise-form';
+import type { Place, Shell } from './panel';
 import exerciseStyles from './exercise-view.css?inline';
 
 export { exerciseStyles };
@@ -36,6 +37,7 @@ export class ExerciseView {
   readonly #title = make('h3', { className: 'exercise-title' });
   readonly #task = make('div', { className: 'exercise-task' });
   readonly #drawing = make('img', { className: 'exercise-drawing', alt: '', hidden: true });
+  readonly #formPlace = make('div');
   readonly #hints = make('ol', { className: 'exercise-hints' });
   readonly #checkButton = make('button', { type: 'button', className: 'primary' });
   readonly #hintButton = make('button', { type: 'button' });
@@ -44,6 +46,7 @@ export class ExerciseView {
   readonly #report = make('div', { className: 'exercise-report', 'aria-live': 'polite' });
   #text = '';
   #exercise: ExerciseText | undefined;
+  #form: ExerciseForm | undefined;
   #shownHints = 0;
   /** Number of the check, so that a late report on an earlier program is dropped. */
   #check = 0;
@@ -60,6 +63,7 @@ export class ExerciseView {
       { className: 'exercise-view' },
       this.#title,
       make('div', { className: 'exercise-text' }, this.#task, this.#drawing),
+      this.#formPlace,
       this.#hints,
       make(
         'div',
@@ -83,7 +87,8 @@ export class ExerciseView {
     const exercise = this.#exercise;
     if (exercise === undefined) return;
     const hasJson = exercise.setup.trimStart().startsWith('{');
-    const begin = hasJson ? exercise.program : `${exercise.setup.trim()}\n${exercise.program}`;
+    const plain = hasJson ? exercise.program : `${exercise.setup.trim()}\n${exercise.program}`;
+    const begin = this.#form?.begin ?? plain;
     if (this.#shell.editor.text.trim() === '' && begin !== '')
       this.#shell.replaceProgram(programText(begin), undefined, 'same');
     if (hasJson) this.#shell.changeSetup(exercise.setup);
@@ -107,8 +112,14 @@ export class ExerciseView {
     return [title, ...[this.#task, this.#drawing].map((part) => part.cloneNode(true) as HTMLElement)];
   }
 
+  /** A click in the section. Returns whether it is a part of the answer. */
+  answerAt(place: Place): boolean {
+    return this.#form?.takePlace(place) ?? false;
+  }
+
   /** The report is about an earlier program. */
   programChanged(): void {
+    this.#form?.update();
     this.#check++;
     this.#report.classList.add('is-outdated');
   }
@@ -127,6 +138,9 @@ export class ExerciseView {
     const { chapter } = exercise;
     this.#chapter.replaceChildren(...(chapter === undefined ? [] : [chapterLink(chapter, this.#shell.language)]));
     this.#setDrawing(drawing);
+    this.#form = formOf(exercise, this.#shell);
+    this.#formPlace.replaceChildren(...(this.#form === undefined ? [] : [this.#form.element]));
+    this.#form?.update();
     this.#renderHints(exercise);
   }
 
@@ -168,10 +182,12 @@ export class ExerciseView {
   #showReport(report: Graded): void {
     const texts = WORDS[this.#shell.language];
     this.#report.classList.remove('is-outdated');
+    // The part of a prediction is that of the exercise, which the learner does not change.
+    const isPrediction = this.#exercise?.taskKind === 'predict';
     const verdict = make(
       'p',
       { className: report.passed ? 'exercise-verdict passed' : 'exercise-verdict' },
-      ...renderUnbroken(report.part),
+      ...(isPrediction ? [report.passed ? texts.passed : texts.failed] : renderUnbroken(report.part)),
       ...this.#lineButton(report.line),
     );
     const { cause } = report;

@@ -19,7 +19,10 @@ class ExercisePanel implements Panel {
   #isRequested = false;
   #view: ExerciseView | undefined;
   readonly elements = { bar: [this.#place] };
-  readonly services: Partial<Services> = { exerciseSheet: () => this.#view?.sheet ?? [] };
+  readonly services: Partial<Services> = {
+    exerciseSheet: () => this.#view?.sheet ?? [],
+    answerAt: (place) => this.#view?.answerAt(place) ?? false,
+  };
 
   constructor(shell: Shell) {
     this.#shell = shell;

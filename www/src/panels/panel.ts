@@ -160,6 +160,12 @@ export interface ClientPoint {
   readonly clientY: number;
 }
 
+/** A place of the section: X as a diameter, and Z, mm. */
+export interface Place {
+  readonly x: number;
+  readonly z: number;
+}
+
 /**
  * Topics of notices. The next run hides `program`. `missing` has a separate line, which remains until everything works.
  */
@@ -198,6 +204,8 @@ export interface Services {
   locate(picture: PictureName, ...place: readonly [number, number]): Promise<ClientPoint>;
   /** A click in the section, CSS pixels. Returns whether it measures, and has no other effect. */
   measureAt(x: number, y: number): boolean;
+  /** A click in the section. Returns whether it is the answer to an exercise, and has no other effect. */
+  answerAt(place: Place): boolean;
   /** Shows only these pictures. */
   showOnly(pictures: readonly PictureName[]): void;
   /** Keeps the current part, to compare later ones with it. */

@@ -237,11 +237,19 @@ class Pictures implements Panel {
         this.#showHovered(picture, undefined);
       },
       onClick: async (x, y, keepFocus) => {
-        if (picture === 'section' && shell.hasService('measureAt') && shell.service('measureAt')(x, y)) return;
+        if (picture === 'section' && this.#isTaken(x, y)) return;
         const chosen = await shell.ask('pick', { picture, x, y });
         if (chosen !== undefined) shell.chooseStroke(chosen, keepFocus ? 'keep-focus' : 'focus');
       },
     };
+  }
+
+  /** Whether a click in the section measures, or answers an exercise. */
+  #isTaken(x: number, y: number): boolean {
+    const shell = this.#shell;
+    if (shell.hasService('measureAt') && shell.service('measureAt')(x, y)) return true;
+    const place = this.#place.roundedAt(x, y);
+    return place !== undefined && shell.hasService('answerAt') && shell.service('answerAt')(place);
   }
 
   /** Whether the user has moved or zoomed a picture since it was fitted. */

@@ -7,6 +7,12 @@ import { make, setText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import type { LengthUnit, SectionScale } from '../protocol/protocol';
 import { formatPlace, unitSymbol } from './lengths';
+import type { Place } from './panel';
+
+/** The steps to which a place is rounded, mm. */
+const STEPS = [0.1, 0.5, 1];
+/** The least size of a step, pixels, so that it can be pointed at. */
+const STEP_PIXELS = 6;
 
 export class PointerPlace {
   readonly #x = make('span', { className: 'value' });
@@ -42,6 +48,17 @@ export class PointerPlace {
     // Millimetres are the default and need no label.
     setText(this.#symbol, unit === 'mm' ? '' : unitSymbol(unit, language));
     this.#show();
+  }
+
+  /** The place at a pixel of the picture, rounded to a step; undefined if the picture is an old one. */
+  roundedAt(x: number, y: number): Place | undefined {
+    if (this.#scale === undefined) return undefined;
+    const { origin, perX, perZ } = this.#scale;
+    const place = (pixels: number, perMm: number): number => {
+      const step = STEPS.find((step) => step * Math.abs(perMm) >= STEP_PIXELS) ?? 1;
+      return Math.round(pixels / perMm / step) * step;
+    };
+    return { x: place(y - origin[1], perX), z: place(x - origin[0], perZ) };
   }
 
   #show(): void {
