@@ -68,6 +68,8 @@ pub mod cli;
 #[doc(hidden)]
 pub mod control;
 #[doc(hidden)]
+pub mod convert;
+#[doc(hidden)]
 pub mod current;
 #[doc(hidden)]
 pub mod exercise;

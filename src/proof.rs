@@ -104,7 +104,7 @@ fn is_for_other_control(told: &Diagnostic) -> bool {
 
 /// The settings of block skip under which the program runs: that of the setup, and off and on if a block can
 /// be skipped.
-fn switches(text: &[u8], setup: &Setup) -> Vec<Vec<u8>> {
+pub fn switches(text: &[u8], setup: &Setup) -> Vec<Vec<u8>> {
     let mut found = vec![setup.block_skip.clone()];
     if text.contains(&b'/') {
         found.extend([Vec::new(), LEVELS.collect()].into_iter().filter(|other| *other != setup.block_skip));

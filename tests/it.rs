@@ -34,6 +34,7 @@ mod cli;
 mod codes;
 mod compare;
 mod control;
+mod convert;
 mod current;
 mod cycles;
 mod difference;

@@ -13,7 +13,7 @@ use super::options::{
 use super::schema::SchemaOf;
 #[cfg(not(target_arch = "wasm32"))]
 use super::server;
-use super::{check, clean, configuration, diff, embed, format, grade, renumber};
+use super::{check, clean, configuration, convert, diff, embed, format, grade, renumber};
 use crate::export::figure::Subject;
 use crate::export::file::FileFormat;
 
@@ -57,6 +57,9 @@ pub(super) enum Command {
     Format(format::Format),
     /// Write new sequence numbers (N); P, Q, GOTO and M99 P are updated. The motions stay the same.
     Renumber(renumber::Renumber),
+    /// Write coordinates or arcs in another form: U and W as X and Z, R as I and K, or back. The motions stay
+    /// the same.
+    Convert(convert::Convert),
     /// List the codes that are supported.
     Codes {
         /// Only those of this control, as it writes them.

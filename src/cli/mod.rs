@@ -9,6 +9,7 @@ mod check;
 mod clean;
 mod compare;
 mod configuration;
+mod convert;
 mod diff;
 mod embed;
 mod encoding;
@@ -167,6 +168,7 @@ fn run(command: Command) -> Result<Status, String> {
         }
         Command::Format(format) => format::run(&format),
         Command::Renumber(renumber) => renumber::run(&renumber),
+        Command::Convert(convert) => convert::run(&convert),
         Command::Codes { control, texts, form } => {
             let list = control.map(|name| CodeList::new(name.control(), GSystem::A));
             print(|out| codes(out, list, texts.language(), form.format))?;

@@ -224,16 +224,23 @@ impl Trials<'_> {
 /// Whether two programs make the same motions: kinds, end points, feeds, spindle and tool, in the same order,
 /// with the same stops.
 pub fn same_motions(before: &Motions, after: &Motions) -> bool {
+    first_other_motion(before, after, SAME).is_none()
+}
+
+/// The first motion that is not the same; the number of motions if only a stop or their number differs. Places are the
+/// same within `tolerance`, mm.
+pub fn first_other_motion(before: &Motions, after: &Motions, tolerance: f64) -> Option<usize> {
     let stops = |motions: &Motions| -> Vec<_> {
         motions.stops(0..motions.len()).map(|(index, stop)| (index, stop.kind)).collect()
     };
-    before.len() == after.len()
-        && before.iter().zip(after.iter()).all(|(before, after)| same_motion(&before, &after))
-        && stops(before) == stops(after)
+    let is_same = |(before, after): (Motion, Motion)| same_motion(&before, &after, tolerance);
+    let other = before.iter().zip(after.iter()).position(|motions| !is_same(motions));
+    let count = before.len();
+    other.or_else(|| (count != after.len() || stops(before) != stops(after)).then_some(count))
 }
 
-fn same_motion(before: &Motion, after: &Motion) -> bool {
-    let near = |a: crate::geometry::Point, b: crate::geometry::Point| a.distance(b) <= SAME;
+fn same_motion(before: &Motion, after: &Motion, tolerance: f64) -> bool {
+    let near = |a: crate::geometry::Point, b: crate::geometry::Point| a.distance(b) <= tolerance;
     let both = |a: Option<_>, b: Option<_>| a.zip(b).map_or(a.is_none() == b.is_none(), |(a, b)| near(a, b));
     let feeds = before.kind.cuts() && before.kind != MotionKind::Thread;
     let lead = |motion: &Motion| motion.lead.filter(|_| motion.kind == MotionKind::Thread);
@@ -262,7 +269,7 @@ fn same_motion(before: &Motion, after: &Motion) -> bool {
 }
 
 /// Whether the changed program has no additional complaints.
-fn has_no_new_complaints(before: &Analysis, after: &Analysis) -> bool {
+pub fn has_no_new_complaints(before: &Analysis, after: &Analysis) -> bool {
     let count = |analysis: &Analysis| {
         let mut told = BTreeMap::new();
         for found in analysis.diagnostics.iter().filter(|found| counts(found)) {

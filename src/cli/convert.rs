@@ -1,0 +1,69 @@
+//! `convert`: writes coordinates or arcs in another form, in place.
+//!
+//! In: a program. Out: the program in that form, with the same motions; on standard error how many words stay.
+
+use std::path::PathBuf;
+
+use super::Status;
+use super::change::{Output, Source};
+use super::configuration::Configurations;
+use super::options::ProgramOptions;
+use super::system::print_error_line;
+use crate::convert::{self, converted};
+use crate::message::applied;
+
+/// The arguments of `convert`.
+#[derive(clap::Args)]
+#[command(
+    after_help = "Exit status:\n  0  written, or nothing to change\n  1  something would change, with `--check` or `--diff`\n  2  bad usage, or a file that cannot be read or written"
+)]
+pub(super) struct Convert {
+    /// The program; `-` reads standard input and writes to standard output.
+    file: PathBuf,
+    /// The form to write.
+    #[arg(long)]
+    to: Form,
+    #[command(flatten)]
+    with: ProgramOptions,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Form {
+    /// U and W as X and Z
+    Absolute,
+    /// X and Z as U and W
+    Incremental,
+    /// I and K of arcs as R
+    Radius,
+    /// R of arcs as I and K
+    Center,
+}
+
+impl From<Form> for convert::Form {
+    fn from(form: Form) -> Self {
+        match form {
+            Form::Absolute => Self::Absolute,
+            Form::Incremental => Self::Incremental,
+            Form::Radius => Self::Radius,
+            Form::Center => Self::Center,
+        }
+    }
+}
+
+/// Runs `convert`.
+pub(super) fn run(convert: &Convert) -> Result<Status, String> {
+    let source = Source::read(&convert.file, &Configurations::new(&convert.with)?)?;
+    let own = source.own();
+    let found = converted(source.run_text(), own, &source.setup, convert.to.into());
+    let changed = (!found.edits.is_empty()).then(|| applied(&source.text, &found.edits));
+    let mut left = found.left.iter().filter(|word| word.end as usize <= own);
+    if let Some(first) = left.next() {
+        let count = 1 + left.count();
+        let (word, place) = (first.quote(source.run_text()), source.place(*first));
+        print_error_line(format_args!("{place}: `{word}` stays ({count} in all)"));
+    }
+    convert.output.write(&source, changed.as_deref())?;
+    Ok(Status::differing_if(changed.is_some() && !convert.output.writes()))
+}
