@@ -11,6 +11,7 @@ mod bindgen;
 mod browser;
 mod compare;
 mod debian;
+mod editors;
 mod embed;
 mod engines;
 #[allow(dead_code, reason = "the build script uses all of it")]
@@ -57,6 +58,7 @@ cargo xtask compare-linuxcnc [--programs N] [--seed N]
                                           compare random programs with LinuxCNC's interpreter
 cargo xtask manuals                       follow the recipes of www/docs/manuals.md with mdBook, Sphinx and Docusaurus
 cargo xtask teams                         follow www/docs/teams.md with pre-commit, GitHub's and GitLab's files
+cargo xtask editors                       follow www/docs/editors.md with Neovim and Emacs
 cargo xtask translations                  list the texts that Chinese or Russian lacks
 cargo xtask advisories                    check the licences and advisories of all packages
 cargo xtask notices                       write the licences of the packages in the native program into target/notices
@@ -73,6 +75,7 @@ enum Task {
     Compare(Vec<String>),
     Manuals,
     Teams,
+    Editors,
     Translations,
     Advisories,
     Notices,
@@ -99,6 +102,7 @@ fn main() -> ExitCode {
         Task::Compare(options) => compare::main(&options),
         Task::Manuals => manuals::main(),
         Task::Teams => teams::main(),
+        Task::Editors => editors::main(),
         Task::Translations => Setup::for_playing().and_then(|_| translations::main()),
         Task::Advisories => advisories::main(),
         Task::Notices => notices::main(),
@@ -128,6 +132,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
         }
         ["manuals"] => Ok(Task::Manuals),
         ["teams"] => Ok(Task::Teams),
+        ["editors"] => Ok(Task::Editors),
         ["translations"] => Ok(Task::Translations),
         ["advisories"] => Ok(Task::Advisories),
         ["notices"] => Ok(Task::Notices),

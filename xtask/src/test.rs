@@ -3,7 +3,7 @@
 //! `cargo xtask test` checks a change in minutes; `--native` and `--page` are its halves, for parallel jobs.
 //! `--all` adds checks that are slow or that a change rarely breaks: the fuzz targets, the hostile programs,
 //! the packages for other projects, the command line under Node, the recipes for manuals, the checks in a
-//! repository, and every browser test in three engines.
+//! repository, the server in editors, and every browser test in three engines.
 
 use std::env;
 use std::path::PathBuf;
@@ -13,7 +13,8 @@ use std::time::{Duration, Instant};
 use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
 use crate::{
-    browser, debian, engines, hostile, library, manuals, native, npx, package, spelling, teams, translations,
+    browser, debian, editors, engines, hostile, library, manuals, native, npx, package, spelling, teams,
+    translations,
 };
 
 /// Which checks to run.
@@ -185,10 +186,11 @@ fn products(setup: &Setup, done: &mut Done) -> Result {
 fn for_other_projects(setup: &Setup, done: &mut Done) -> Result {
     npx::put_into_package()?;
     // Each of the two runs its programs one after the other.
-    let (teams, (node, manuals)) =
-        run::both(teams::ways, || Ok((npx::compare(setup)?, manuals::recipes()?)))?;
+    let (teams, (node, manuals, editors)) =
+        run::both(teams::ways, || Ok((npx::compare(setup)?, manuals::recipes()?, editors::editors()?)))?;
     done.add("command line for Node", node);
     done.add("manuals", manuals);
+    done.add("editors", editors);
     done.add("teams", teams);
     Ok(())
 }
