@@ -17,6 +17,9 @@ use crate::motion::{Cycle, CycleFamily, Motion, Motions, SpindleSpeed, Step};
 use crate::scene::annotation::{Annotation, Importance, Label, Measure, Shape};
 use crate::source::Span;
 
+/// Of fewer roughing passes the first one has the numbers of the steps.
+const FEW_PASSES: u32 = 6;
+
 /// A call of a cycle.
 pub struct Call {
     /// Index of its first motion.
@@ -85,8 +88,10 @@ impl Call {
                 [Step::Infeed, Step::Cut, Step::Retract, Step::Return].map(step).to_vec()
             }
             Cycle::RoughTurning | Cycle::RoughFacing => {
-                let [approach, infeed, cut, escape] =
-                    [Step::Approach, Step::Infeed, Step::Cut, Step::Escape].map(step);
+                let [approach, infeed] = [Step::Approach, Step::Infeed].map(step);
+                let pass = self.plain_pass();
+                let of_pass = |step: Step| self.steps(step).find(|motion| pass_of(motion) == pass);
+                let [cut, escape, back] = [Step::Cut, Step::Escape, Step::Return].map(of_pass);
                 vec![approach, infeed, cut, escape, back, contour(passes().next_back()), end]
             }
             Cycle::Pattern => {
@@ -103,6 +108,13 @@ impl Call {
             }
             _ => Vec::new(),
         }
+    }
+
+    /// The pass on which the steps are numbered: of many passes one in the middle, because the first one is beside A, and
+    /// beside the way back to it.
+    fn plain_pass(&self) -> u32 {
+        let count = self.last(Step::Cut).map_or(0, pass_of);
+        if count < FEW_PASSES { 1 } else { count / 2 }
     }
 
     /// The longest straight motion of a pass along the contour.

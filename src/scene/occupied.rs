@@ -70,17 +70,40 @@ pub struct Occupied {
 impl Occupied {
     /// The map of a scene, with its strokes where they are drawn, in the direction of the moves.
     pub fn of(scene: &Scene, camera: &Camera, strokes: impl Iterator<Item = StrokeShape>) -> Self {
-        let mut map = Self::of_strokes(camera, strokes);
+        let map = Self::of_strokes(camera, strokes);
+        map.with_part(scene, camera).with_blank(scene, camera).with_obstacles(scene, camera)
+    }
+
+    /// The map with the part of a scene.
+    pub fn with_part(mut self, scene: &Scene, camera: &Camera) -> Self {
+        if let Some(work) = scene.work() {
+            for &side in scene.plane().sides() {
+                self.outlines(closed(work.part_on(side)).into_iter(), side, camera);
+            }
+        }
+        self
+    }
+
+    /// The map with the blank of a scene, as thin lines.
+    pub fn with_blank(mut self, scene: &Scene, camera: &Camera) -> Self {
         if let Some(work) = scene.work() {
             let mut thin = Self::empty(camera);
             for &side in scene.plane().sides() {
-                let outlines = closed(work.part_on(side)).into_iter().chain(closed(&work.obstacles));
-                map.outlines(outlines, side, camera);
                 thin.outlines(closed(&work.blank).into_iter(), side, camera);
             }
-            map.thin = thin.cells;
+            self.thin = thin.cells;
         }
-        map
+        self
+    }
+
+    /// The map with the chuck and the tailstock of a scene.
+    pub fn with_obstacles(mut self, scene: &Scene, camera: &Camera) -> Self {
+        if let Some(work) = scene.work() {
+            for &side in scene.plane().sides() {
+                self.outlines(closed(&work.obstacles).into_iter(), side, camera);
+            }
+        }
+        self
     }
 
     /// The map of strokes alone.

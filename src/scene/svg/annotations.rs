@@ -28,13 +28,6 @@ pub(super) fn colours(palette: &Palette) -> String {
 }
 
 impl Drawing {
-    /// The highest and the lowest place of the part, CSS pixels.
-    fn part_down(&self, scene: &Scene) -> Option<[f64; 2]> {
-        let corners = scene.work()?.part.iter().flatten();
-        let sides = corners.flat_map(|at| [at.x, -at.x].map(|x| Point::new(x, at.z)));
-        extent(sides.map(|at| self.camera.to_screen(at).y))
-    }
-
     /// Draws annotations over the strokes; their labels cover no stroke.
     pub(super) fn annotations(&mut self, scene: &Scene, options: &SvgOptions) {
         if options.annotations.is_empty() {
@@ -46,15 +39,17 @@ impl Drawing {
             annotation.shape = self.apart.annotated(scene, &annotation.shape);
         }
         let strokes = drawn(scene, options).map(|stroke| self.apart.directed(&stroke));
-        let occupied = Occupied::of(scene, &self.camera, strokes);
+        let camera = &self.camera;
+        let occupied = match options.contents {
+            Contents::All if options.is_figure() => {
+                Occupied::of_strokes(camera, strokes).with_part(scene, camera).with_blank(scene, camera)
+            }
+            Contents::All => Occupied::of(scene, camera, strokes),
+            Contents::Part => Occupied::of_strokes(camera, std::iter::empty()).with_part(scene, camera),
+        };
         let placed = place(&annotations, &occupied, &self.camera, options.scale.unit);
         let axis = self.camera.to_screen(Point::default()).y;
-        let drawn = match options.contents {
-            Contents::All => occupied.down(),
-            // Blank and obstacles are not drawn.
-            Contents::Part => self.part_down(scene),
-        };
-        self.down = extent([drawn, placed.down()].into_iter().flatten().flatten().chain([axis]));
+        self.down = extent([occupied.down(), placed.down()].into_iter().flatten().flatten().chain([axis]));
         let mut heads = String::new();
         for [tip, a, b] in &placed.heads {
             let _ = write!(heads, "M{}L{}L{}Z", pixel(*tip), pixel(*a), pixel(*b));

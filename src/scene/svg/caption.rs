@@ -103,7 +103,7 @@ impl Drawing {
             there[3] = true;
             there[4] = !work.part.is_empty();
             let seen = self.camera.seen();
-            there[5] = work.obstacles.iter().flatten().any(|at| seen.contains(*at));
+            there[5] = !options.is_figure() && work.obstacles.iter().flatten().any(|at| seen.contains(*at));
             there[6] = !work.dangers.is_empty();
             there[7] = work.milled.is_some();
         }

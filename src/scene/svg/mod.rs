@@ -32,6 +32,7 @@ mod annotations;
 mod apart;
 mod caption;
 mod compared;
+mod once;
 mod overlay;
 
 use apart::Apart;
@@ -116,6 +117,11 @@ impl Default for SvgOptions {
 }
 
 impl SvgOptions {
+    /// Whether the picture is a figure of some motions: without the chuck and the paths of others.
+    fn is_figure(&self) -> bool {
+        self.motions.is_some()
+    }
+
     /// The options for a printed page, with a width in mm on paper: without rulers, at 96 CSS pixels per inch.
     pub fn on_paper(self, width: f64) -> Self {
         Self { width: width / 25.4 * 96.0 + LEFT_RULER, ground: Ground::Print, ..self }
@@ -313,16 +319,18 @@ impl Drawing {
 
     /// The picture without grid, rulers and caption.
     fn picture(&mut self, scene: &Scene, options: &SvgOptions) {
-        self.work(scene, options.contents);
+        self.work(scene, options);
         self.compared(scene);
         self.center_lines(scene.plane());
         if options.contents == Contents::All {
-            // A figure of one cycle has no room for the paths of others.
-            if options.motions.is_none() {
+            if !options.is_figure() {
                 self.programmed(scene);
             }
             for style in StrokeStyle::ALL {
-                self.strokes(scene, options, style);
+                match style {
+                    StrokeStyle::Rapid if options.is_figure() => self.rapids(scene, options),
+                    _ => self.strokes(scene, options, style),
+                }
             }
             self.arrows(scene, options);
             self.dangers(scene);
@@ -344,7 +352,8 @@ impl Drawing {
     }
 
     /// Draws the blank, the part, and the obstacles around them, above and below the axis.
-    fn work(&mut self, scene: &Scene, contents: Contents) {
+    fn work(&mut self, scene: &Scene, options: &SvgOptions) {
+        let contents = options.contents;
         let Some(work) = scene.work() else { return };
         let guessed = match work.basis {
             Basis::Given => "",
@@ -365,8 +374,8 @@ impl Drawing {
                 };
                 lines.iter().map(|[a, b]| format!("M{}L{}", pixel(*a), pixel(*b))).collect()
             };
-            let obstacles =
-                if contents == Contents::All { seen(&work.obstacles, camera) } else { Vec::new() };
+            let has_obstacles = contents == Contents::All && !options.is_figure();
+            let obstacles = if has_obstacles { seen(&work.obstacles, camera) } else { Vec::new() };
             let blank_edges = match scene.plane() {
                 Plane::Section => edges(&work.blank),
                 Plane::Face | Plane::Side => closed(&work.blank),
@@ -447,6 +456,26 @@ impl Drawing {
         self.line("</g>");
     }
 
+    /// Draws the rapids of a figure, each line once: dashes over dashes would look like a cut.
+    fn rapids(&mut self, scene: &Scene, options: &SvgOptions) {
+        let (mut lines, mut d) = (Vec::new(), String::new());
+        for stroke in drawn(scene, options).filter(|stroke| stroke.style == StrokeStyle::Rapid) {
+            match self.apart.shape(&stroke) {
+                StrokeShape::Line { from, to } => lines.push([from, to].map(|at| self.camera.to_screen(at))),
+                shape => {
+                    let _ = write!(d, "M{}", self.place(shape.start()));
+                    self.shape(&mut d, &shape);
+                }
+            }
+        }
+        for [from, to] in once::each(&lines) {
+            let _ = write!(d, "M{}L{}", pixel(from), pixel(to));
+        }
+        if !d.is_empty() {
+            self.line(&format!(r#"<g class="rapid"><path class="rapid" d="{d}"/></g>"#));
+        }
+    }
+
     /// Draws the programmed path under the compensated one, thin and dotted.
     fn programmed(&mut self, scene: &Scene) {
         let mut d = String::new();
@@ -498,7 +527,7 @@ impl Drawing {
         if scene.len() > MAX_WITH_ARROWS {
             return;
         }
-        let is_figure = options.motions.is_some();
+        let is_figure = options.is_figure();
         let least = if is_figure { MIN_FOR_ARROW_IN_FIGURE } else { MIN_FOR_ARROW };
         let rapids = [StrokeStyle::Rapid].into_iter().filter(|_| is_figure);
         let cuts = drawn(scene, options).filter(|stroke| stroke.style != StrokeStyle::Rapid);
