@@ -284,6 +284,15 @@ test('a program that is pasted after everything was deleted is another one', asy
   await expect.poll(() => attributesOf(page)).toEqual([null, null]);
 });
 
+test('settled is resolved in a page without frames, as a hidden one is', async ({ page }) => {
+  await page.addInitScript(() => {
+    window.requestAnimationFrame = () => 0;
+  });
+  await show(page, 'height="auto"');
+  const run = await page.locator('gcode-playground').evaluate((element) => (element as Host).settled);
+  expect(run).toBeGreaterThan(0);
+});
+
 test('gcode-error reports once that a setup was not accepted', async ({ page }) => {
   await show(page, `view="picture" setup='{"stok": 1}'`);
   const [error, ...others] = await fired<{ kind: string; reason: string; message: string }>(page, 'gcode-error');

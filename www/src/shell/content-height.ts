@@ -4,6 +4,7 @@
 // In: the sizes of the regions, the number of lines. Out: a style sheet of the element with its height. Must not know:
 // the contents of the regions. Loaded by `auto-height`.
 
+import { inNextFrame } from '../worker/frame';
 import type { Program } from '../editor/program';
 import type { Rows } from './author';
 import type { Layout } from './layout';
@@ -29,7 +30,7 @@ export class ContentHeight {
   readonly #sizes = new ResizeObserver(() => this.update());
   readonly #editorLoaded = new MutationObserver(() => this.update());
   #rows: Rows = { min: 1, max: 1 };
-  #frameRequest: number | undefined;
+  #cancelUpdate: (() => void) | undefined;
 
   constructor(options: ContentHeightOptions) {
     this.#options = options;
@@ -50,11 +51,11 @@ export class ContentHeight {
 
   /** Finds the height before the next frame is painted. */
   readonly update = (): void => {
-    if (this.#frameRequest !== undefined) return;
+    if (this.#cancelUpdate !== undefined) return;
     const { pending } = this.#options;
     pending.add('height');
-    this.#frameRequest = requestAnimationFrame(() => {
-      this.#frameRequest = undefined;
+    this.#cancelUpdate = inNextFrame(() => {
+      this.#cancelUpdate = undefined;
       this.#fit();
       pending.finish('height');
     });
@@ -66,8 +67,8 @@ export class ContentHeight {
     this.#editorLoaded.disconnect();
     editor.element.removeEventListener('focusout', this.update);
     root.adoptedStyleSheets = root.adoptedStyleSheets.filter((sheet) => sheet !== this.#sheet);
-    if (this.#frameRequest === undefined) return;
-    cancelAnimationFrame(this.#frameRequest);
+    if (this.#cancelUpdate === undefined) return;
+    this.#cancelUpdate();
     pending.finish('height');
   }
 

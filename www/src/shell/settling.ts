@@ -4,6 +4,8 @@
 // run, and a callback. The layout may still follow what was shown, and then the picture the layout: so two frames
 // without further events must pass. Must not know: the cause of an event.
 
+import { inNextFrame } from '../worker/frame';
+
 export class Settling {
   readonly #onSettled: (run: number) => void;
   #promise!: Promise<number>;
@@ -40,6 +42,6 @@ export class Settling {
       this.#onSettled(run);
     });
     // `ResizeObserver` callbacks run after the callbacks of a frame, so a second frame is needed to notice them.
-    requestAnimationFrame(ifCurrent(() => requestAnimationFrame(ifCurrent(() => setTimeout(end)))));
+    inNextFrame(ifCurrent(() => inNextFrame(ifCurrent(() => setTimeout(end)))));
   }
 }

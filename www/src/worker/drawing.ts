@@ -5,6 +5,7 @@
 // of a request.
 
 import { Drawn, type Playground } from '../../pkg/gcode_playground.js';
+import { inNextFrame } from './frame';
 import type { Pictures } from '../protocol/protocol';
 import { drawAll, takePictures } from './pictures';
 
@@ -53,7 +54,7 @@ export class Drawing {
     if (this.#drawRequest !== 'now') this.#drawRequest = request;
     if (this.#frameRequested) return;
     this.#frameRequested = true;
-    requestAnimationFrame(() => {
+    inNextFrame(() => {
       this.#frameRequested = false;
       const pendingRequest = this.#drawRequest;
       this.#drawRequest = 'no';
