@@ -72,12 +72,13 @@ const NOT_RUN: [(&str, &str); 24] = [
 ];
 
 /// Files that the documents name and that only a build creates.
-const BUILT: [(&str, &str); 11] = [
+const BUILT: [(&str, &str); 12] = [
     ("languages.toml", "the configuration of an editor, Helix"),
     (
         "service-worker.js",
         "`cargo xtask site`; `tests/browser/offline.spec.ts` has it answer without a network",
     ),
+    ("target/vscode/gcode-playground.vsix", "`cargo xtask vscode`; `tests/browser/vscode.spec.ts` runs it"),
     ("gcode-playground.toml", "the reader writes it; `tests/check.rs` has some"),
     ("element.js", "`cargo xtask site`; `tests/browser/picture-only.spec.ts` puts it into a page"),
     ("www/dist/embed", "the same command; `tests/browser/embedding.spec.ts` puts its files into pages"),
@@ -509,7 +510,7 @@ fn folded(word: &str) -> String {
 
 /// All words of the sources: names, keys, values.
 fn words_of_the_sources() -> HashSet<String> {
-    let sources = ["src/", "www/", "xtask/", "tests/"];
+    let sources = ["editors/", "src/", "www/", "xtask/", "tests/"];
     let mut words = HashSet::new();
     for file in files() {
         let code = [".rs", ".ts", ".toml", ".json", ".mjs", ".html", ".yml", ".yaml"]

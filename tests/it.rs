@@ -39,6 +39,7 @@ mod current;
 mod cycles;
 mod difference;
 mod documentation;
+mod editors;
 mod element;
 mod exercise;
 mod expand;

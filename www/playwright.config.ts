@@ -36,6 +36,7 @@ const CHROMIUM_ONLY = specFiles(
   'room',
   'solid',
   'stored',
+  'vscode',
 );
 const NOT_IN_WEBKIT = specFiles('encodings');
 /** Areas in which engines differ: input, storage, canvas, clipboard, worker, layout. */
@@ -51,8 +52,8 @@ const ENGINE_DEPENDENT = specFiles(
 );
 /** Files that run only with `cargo xtask test --all`: they wait for networks, service workers and reloads. */
 const NIGHTLY_FILES = specFiles('bad-input', 'failed-loads', 'offline', 'parts', 'sources', 'stored', 'switching');
-/** Their package is built only by `cargo xtask test --all`. */
-const PACKAGE_ONLY = specFiles('package');
+/** Their packages are built only by `cargo xtask test --all`. */
+const PACKAGE_ONLY = specFiles('package', 'vscode');
 
 /** Tests that run only with `cargo xtask test --all`, and tests that otherwise run only in Chromium. */
 const [NIGHTLY, ONE_ENGINE] = [/@night\b/, /@one-engine\b/];

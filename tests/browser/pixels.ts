@@ -2,7 +2,7 @@
 import type { BasicPage } from './engines';
 
 /** Number of pixels in the section that have a colour of the style sheet. */
-export function pixels(page: BasicPage, colour: string): Promise<number> {
+export function pixels(page: Pick<BasicPage, 'evaluate'>, colour: string): Promise<number> {
   return page.evaluate((colour) => {
     const root = document.querySelector('gcode-playground')!.shadowRoot!;
     const canvas = root.querySelector('canvas')!;

@@ -3,11 +3,12 @@
 //! `tests/documentation.rs` and the tests of `xtask` share this list.
 
 /// The documents. The changelog describes the past, so only its commands and files are checked.
-pub const DOCUMENTS: [&str; 32] = [
+pub const DOCUMENTS: [&str; 33] = [
     "README.md",
     "CONTRIBUTING.md",
     "ARCHITECTURE.md",
     "CHANGELOG.md",
+    "editors/vscode/README.md",
     "tests/speed/README.md",
     "tests/browser/README.md",
     "tests/programs/README.md",

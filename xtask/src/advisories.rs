@@ -10,6 +10,9 @@ use crate::tools;
 /// The Rust workspaces. `tests/speed/peers` is left out: it contains programs of others, for comparison only.
 const MANIFESTS: [&str; 2] = ["Cargo.toml", "tests/fuzz/Cargo.toml"];
 
+/// The folders of npm packages, left out in the same way.
+const NPM_FOLDERS: [&str; 2] = ["www", "editors/vscode"];
+
 /// Checks of cargo-deny: name, arguments, and the words of a report without and with findings.
 type Checks = (&'static str, &'static [&'static str], [&'static str; 2]);
 
@@ -63,8 +66,11 @@ pub fn main() -> Result {
             outcomes.push((format!("{name} of {manifest}"), check(&mut command, reports)?));
         }
     }
-    let mut audit = run::npm();
-    outcomes.push(("advisories of www/package-lock.json".to_owned(), check(audit.arg("audit"), NPM)?));
+    for folder in NPM_FOLDERS {
+        let mut audit = run::npm();
+        audit.current_dir(run::root().join(folder)).arg("audit");
+        outcomes.push((format!("advisories of {folder}/package-lock.json"), check(&mut audit, NPM)?));
+    }
     conclude(&outcomes)
 }
 

@@ -17,7 +17,8 @@ const OURS: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "CHANGELOG.md"];
 const INTERPRETER: [&str; 5] =
     ["gcode_playground.js", "gcode_playground.d.ts", "parts.js", "parts.d.ts", "part-files.js"];
 
-const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// The version of the project.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Builds the element; requires the rule pages, the reference and the pages of the manual.
 pub fn element(setup: &Setup) -> Result<Duration> {
@@ -63,7 +64,7 @@ fn add_licences(setup: &Setup, file: &Path) -> Result {
 }
 
 /// Replaces a text in a file; it must be there.
-fn change(file: &Path, from: &str, to: &str) -> Result {
+pub fn change(file: &Path, from: &str, to: &str) -> Result {
     let text = fs::read_to_string(file).map_err(|error| cannot("read", file, &error))?;
     if !text.contains(from) {
         return Err(format!("{} does not say `{from}`", file.display()));

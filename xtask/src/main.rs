@@ -36,6 +36,7 @@ mod test;
 mod texts;
 mod tools;
 mod translations;
+mod vscode;
 mod wasm_std;
 
 use std::env;
@@ -59,6 +60,7 @@ cargo xtask compare-linuxcnc [--programs N] [--seed N]
 cargo xtask manuals                       follow the recipes of www/docs/manuals.md with mdBook, Sphinx and Docusaurus
 cargo xtask teams                         follow www/docs/teams.md with pre-commit, GitHub's and GitLab's files
 cargo xtask editors                       follow www/docs/editors.md with Neovim and Emacs
+cargo xtask vscode                        pack the extension for Visual Studio Code
 cargo xtask translations                  list the texts that Chinese or Russian lacks
 cargo xtask advisories                    check the licences and advisories of all packages
 cargo xtask notices                       write the licences of the packages in the native program into target/notices
@@ -76,6 +78,7 @@ enum Task {
     Manuals,
     Teams,
     Editors,
+    Vscode,
     Translations,
     Advisories,
     Notices,
@@ -103,6 +106,7 @@ fn main() -> ExitCode {
         Task::Manuals => manuals::main(),
         Task::Teams => teams::main(),
         Task::Editors => editors::main(),
+        Task::Vscode => vscode::main(),
         Task::Translations => Setup::for_playing().and_then(|_| translations::main()),
         Task::Advisories => advisories::main(),
         Task::Notices => notices::main(),
@@ -133,6 +137,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
         ["manuals"] => Ok(Task::Manuals),
         ["teams"] => Ok(Task::Teams),
         ["editors"] => Ok(Task::Editors),
+        ["vscode"] => Ok(Task::Vscode),
         ["translations"] => Ok(Task::Translations),
         ["advisories"] => Ok(Task::Advisories),
         ["notices"] => Ok(Task::Notices),

@@ -2,11 +2,11 @@
 //! Existing tools are only checked; missing ones are installed, with a message.
 
 use std::ffi::{OsStr, OsString};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-use crate::run::{self, Result};
+use crate::run::{self, Result, cannot};
 use crate::wasm_std::{self, Toolchain};
 use crate::{browser, engines, spelling, tools};
 
@@ -85,28 +85,34 @@ pub fn main() -> Result {
     Ok(())
 }
 
-/// Installs the npm packages of the page, unless the versions of the current package-lock.json are installed.
-/// Returns the folder of their programs.
+/// Installs the npm packages of the page. Returns the folder of their programs.
 fn npm_packages() -> Result<PathBuf> {
-    let www = run::www();
-    let read = |name: &str| {
-        let path = www.join(name);
-        fs::read_to_string(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))
-    };
-    let wanted = read("package.json")? + &read("package-lock.json")?;
-    let stamp = www.join("node_modules").join(".installed-by-xtask");
-    if !fs::read_to_string(&stamp).is_ok_and(|installed| installed == wanted) {
-        node()?;
-        run::quiet("installing the page's npm packages", run::npm().args(["ci", "--no-audit", "--no-fund"]))?;
-        fs::write(&stamp, wanted).map_err(|error| format!("cannot write {}: {error}", stamp.display()))?;
-    }
-    let bin = www.join("node_modules").join(".bin");
+    let bin = npm_ci(&run::www(), "the page's npm packages", &[])?;
     // Without wasm-opt the module would not be optimised for size.
     if tools::in_node_bin(&bin, "wasm-opt") {
         Ok(bin)
     } else {
         Err("the npm package `binaryen`, which brings wasm-opt, is missing from www/package.json".to_owned())
     }
+}
+
+/// Installs the npm packages of a folder, unless the versions of its current package-lock.json are installed.
+/// Returns the folder of their programs.
+pub fn npm_ci(folder: &Path, what: &str, options: &[&str]) -> Result<PathBuf> {
+    let read = |name: &str| {
+        let path = folder.join(name);
+        fs::read_to_string(&path).map_err(|error| cannot("read", &path, &error))
+    };
+    let wanted = read("package.json")? + &read("package-lock.json")?;
+    let stamp = folder.join("node_modules").join(".installed-by-xtask");
+    if !fs::read_to_string(&stamp).is_ok_and(|installed| installed == wanted) {
+        node()?;
+        let mut npm = run::npm();
+        npm.current_dir(folder).args(["ci", "--no-audit", "--no-fund"]).args(options);
+        run::quiet(&format!("installing {what}"), &mut npm)?;
+        fs::write(&stamp, wanted).map_err(|error| cannot("write", &stamp, &error))?;
+    }
+    Ok(folder.join("node_modules").join(".bin"))
 }
 
 fn node() -> Result {

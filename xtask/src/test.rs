@@ -3,7 +3,8 @@
 //! `cargo xtask test` checks a change in minutes; `--native` and `--page` are its halves, for parallel jobs.
 //! `--all` adds checks that are slow or that a change rarely breaks: the fuzz targets, the hostile programs,
 //! the packages for other projects, the command line under Node, the recipes for manuals, the checks in a
-//! repository, the server in editors, and every browser test in three engines.
+//! repository, the server in editors, the extension for Visual Studio Code, and every browser test in three
+//! engines.
 
 use std::env;
 use std::path::PathBuf;
@@ -14,7 +15,7 @@ use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
 use crate::{
     browser, debian, editors, engines, hostile, library, manuals, native, npx, package, spelling, teams,
-    translations,
+    translations, vscode,
 };
 
 /// Which checks to run.
@@ -144,7 +145,7 @@ fn page(setup: &Setup, browsers: &[(&'static str, PathBuf)], tier: &Tier, done: 
         run::say(format_args!("warning: {message}"));
     }
     done.add("translations", begun.elapsed());
-    done.add("page lints", step("format and lints of the page", &mut setup.npm(&["run", "lint"]))?);
+    done.add("page lints", step("format and lints of the TypeScript", &mut setup.npm(&["run", "lint"]))?);
     done.add("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
     done.add(
         "workflows",
@@ -192,5 +193,7 @@ fn for_other_projects(setup: &Setup, done: &mut Done) -> Result {
     done.add("manuals", manuals);
     done.add("editors", editors);
     done.add("teams", teams);
+    // A browser test starts it.
+    done.add("extension", vscode::pack(setup)?);
     Ok(())
 }
