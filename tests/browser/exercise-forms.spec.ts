@@ -97,7 +97,8 @@ test('blocks are put in order by arrows and by dragging', async ({ page }) => {
     const above = await box(from - 1, 'code');
     await page.mouse.move(handle.x, handle.y);
     await page.mouse.down();
-    await page.mouse.move(handle.x, above.y - 4, { steps: 4 });
+    await page.mouse.move(handle.x, (handle.y + above.y) / 2);
+    await page.mouse.move(handle.x, above.y - 4);
     await page.mouse.up();
     await expect.poll(shown).toEqual(await lines(page));
     expect((await shown()).indexOf('T0101')).toBe(from - 1);
