@@ -89,6 +89,7 @@ test('problems, fixes, formatting and the picture of a program', async ({ page }
   // So does the action for all safe fixes.
   await page.keyboard.press('Control+z');
   await expect.poll(() => lines(page)).toContain('GO1 X36 F0.2');
+  await expect(page.locator('.markers-panel')).toContainText('`GO1` has a letter where the digit 0 belongs');
   await page.keyboard.press('F1');
   await page.keyboard.type('Fix All');
   await expect(page.locator('.quick-input-list .focused')).toContainText('Fix All');
