@@ -6,19 +6,20 @@
 //! on: a block that would not is left as it is. Must not know files.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
-use crate::control::codes::{G, MotionMode, Multiple, g_code};
+use crate::control::codes::{G, MotionMode, Multiple};
 use crate::control::words::plain;
 use crate::geometry::{Arc, Point};
 use crate::message::{Edit, applied};
 use crate::motion::Motion;
 use crate::proof::switches;
-use crate::rewrite::{first_other_motion, has_no_new_complaints};
+use crate::rewrite::{first_other_motion, g, has_no_new_complaints};
 use crate::run::{Analysis, analyze};
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, DecimalRule, Dialect};
 use crate::source::Span;
-use crate::text::block::{Block, BlockKind, Value, Word};
+use crate::text::block::{Block, BlockKind, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::units::{Diameter, Unit, number};
 
@@ -56,17 +57,15 @@ pub struct Conversion {
 
 /// Writes a program in a form. `own`: the length of the program itself, bytes; subprograms from other files after it stay.
 pub fn converted(text: &[u8], own: usize, setup: &Setup, form: Form) -> Conversion {
-    let runs: Vec<(Setup, Analysis)> = switches(text, setup)
-        .into_iter()
-        .map(|block_skip| Setup { block_skip, ..setup.clone() })
-        .map(|setup| (setup.clone(), analyze(text, &setup)))
-        .collect();
-    let mut found: BTreeMap<u32, Vec<Edit>> = BTreeMap::new();
-    let words = words(text, form);
-    if let Some((_, analysis)) = runs.first() {
-        found = edits_of_blocks(text, analysis, form);
-        found.retain(|start, _| (*start as usize) < own);
-    }
+    let run = |block_skip| {
+        let setup = Setup { block_skip, ..setup.clone() };
+        let analysis = analyze(text, &setup);
+        (setup, analysis)
+    };
+    let runs: Vec<(Setup, Analysis)> = switches(text, setup).into_iter().map(run).collect();
+    let words = words(&text[..own], form);
+    let mut found = edits_of_blocks(text, &runs[0].1, form);
+    found.retain(|start, _| (*start as usize) < own);
     for _ in 0..MAX_LEFT {
         let edits: Vec<Edit> = found.values().flatten().cloned().collect();
         if edits.is_empty() {
@@ -165,21 +164,29 @@ fn edits_of_blocks(text: &[u8], analysis: &Analysis, form: Form) -> BTreeMap<u32
     let decimal = Dialect::new(&analysis.setup.dialect).decimal;
     let writer = Writer { text, form, unit: analysis.unit, decimal };
     let unrolled = Unrolled::of(text, analysis.codes);
-    let moves = match unrolled.copies.is_empty() {
-        true => moves(&unrolled, analysis, form),
-        false => moves(&unrolled, &analyze(&unrolled.text, &analysis.setup), form),
+    let moves = match unrolled.has_copies() {
+        false => moves(&unrolled, analysis, form),
+        true => moves(&unrolled, &analyze(&unrolled.text, &analysis.setup), form),
     };
     let of_block = |(start, found): (u32, Option<Move>)| Some((start, writer.edits(start, &found?)));
     moves.into_iter().filter_map(of_block).filter(|(_, edits)| !edits.is_empty()).collect()
 }
 
 /// A program with the blocks of a contour in place of each G70 that finishes it: so each of them makes its own motion.
+#[derive(Default)]
 struct Unrolled {
     text: Vec<u8>,
-    /// The first byte of a copy, its length, and the first byte of its original, in order.
-    copies: Vec<[u32; 3]>,
-    /// The same for the text before, between and after the copies.
-    kept: Vec<[u32; 3]>,
+    pieces: Vec<Piece>,
+}
+
+/// A part of an unrolled text.
+struct Piece {
+    /// Its first byte.
+    start: u32,
+    /// Its bytes in the program.
+    original: Range<u32>,
+    /// Whether it is the copy of a contour.
+    is_copy: bool,
 }
 
 impl Unrolled {
@@ -194,7 +201,7 @@ impl Unrolled {
                 calls.push((block.span, p as u32, q as u32));
             }
         }
-        let mut unrolled = Self { text: Vec::new(), copies: Vec::new(), kept: Vec::new() };
+        let mut unrolled = Self::default();
         let mut done = 0;
         for (call, p, q) in calls {
             let Some(at) = numbered.iter().position(|(number, _)| *number == p) else { continue };
@@ -202,34 +209,29 @@ impl Unrolled {
             if unrolled.text.len() > MAX_COPIES * text.len() {
                 break;
             }
-            unrolled.keep(text, done, call.start);
-            unrolled.copies.push(unrolled.place(numbered[at].1.start, last.end));
-            unrolled.text.extend_from_slice(&text[numbered[at].1.start as usize..last.end as usize]);
+            unrolled.push(text, done..call.start, false);
+            unrolled.push(text, numbered[at].1.start..last.end, true);
             done = call.end;
         }
-        unrolled.keep(text, done, text.len() as u32);
+        unrolled.push(text, done..text.len() as u32, false);
         unrolled
     }
 
-    fn keep(&mut self, text: &[u8], from: u32, to: u32) {
-        self.kept.push(self.place(from, to));
-        self.text.extend_from_slice(&text[from as usize..to as usize]);
+    fn push(&mut self, text: &[u8], original: Range<u32>, is_copy: bool) {
+        let start = self.text.len() as u32;
+        self.text.extend_from_slice(&text[original.start as usize..original.end as usize]);
+        self.pieces.push(Piece { start, original, is_copy });
     }
 
-    /// The entry of the original text from `from` to `to` that comes next.
-    fn place(&self, from: u32, to: u32) -> [u32; 3] {
-        [self.text.len() as u32, to - from, from]
+    fn has_copies(&self) -> bool {
+        self.pieces.iter().any(|piece| piece.is_copy)
     }
 
-    fn is_copy(&self, byte: u32) -> bool {
-        self.copies.iter().any(|[start, length, _]| (*start..start + length).contains(&byte))
-    }
-
-    /// The original of a byte.
-    fn original(&self, byte: u32) -> u32 {
-        let all = self.copies.iter().chain(&self.kept);
-        let found = all.copied().find(|[start, length, _]| (*start..start + length).contains(&byte));
-        found.map_or(byte, |[start, _, original]| original + (byte - start))
+    /// The byte of the program for a byte of the text, and whether that is in a copy.
+    fn original(&self, byte: u32) -> (u32, bool) {
+        let behind = self.pieces.partition_point(|piece| piece.start <= byte);
+        let piece = &self.pieces[behind - 1];
+        (piece.original.start + (byte - piece.start), piece.is_copy)
     }
 }
 
@@ -265,7 +267,7 @@ fn moves(unrolled: &Unrolled, analysis: &Analysis, form: Form) -> BTreeMap<u32, 
         }
         let (first, last) = (motions.get(index), motions.get(end - 1));
         // G70 returns to its start, but a copy does not.
-        let is_copy = unrolled.is_copy(span.start);
+        let (start, is_copy) = unrolled.original(span.start);
         if was_copy && !is_copy || before.is_none_or(|before| !has_same_zero(&before, &first)) {
             is_known = [false; 2];
         }
@@ -277,7 +279,7 @@ fn moves(unrolled: &Unrolled, analysis: &Analysis, form: Form) -> BTreeMap<u32, 
         let is_cycle = (index..end).any(|index| !is_move(&motions.get(index)));
         if !is_cycle {
             let is_convertible = is_convertible(&block, analysis.codes);
-            let known = moves.entry(unrolled.original(span.start)).or_insert(Some(own));
+            let known = moves.entry(start).or_insert(Some(own));
             if !is_convertible || known.is_none_or(|known| !known.agrees(&own, form)) {
                 *known = None;
             }
@@ -303,7 +305,7 @@ fn has_same_zero(before: &Motion, after: &Motion) -> bool {
         && one.tip_shift == other.tip_shift
 }
 
-/// Whether a motion is a move of its own block, and no step of a cycle.
+/// Whether a motion is the move that its block programs, not a step of a cycle.
 fn is_move(motion: &Motion) -> bool {
     motion.cycle.is_none() && motion.rotary.is_none() && !motion.process.uncertain
 }
@@ -316,13 +318,7 @@ fn programmed_arc(motion: &Motion) -> Option<Arc> {
     })
 }
 
-fn g(word: &Word, list: CodeList) -> Option<G> {
-    let Value::Number { number, .. } = word.value else { return None };
-    let tenths = number.tenths().filter(|_| word.address == b'G')?;
-    g_code(tenths, list).map(|found| found.code)
-}
-
-/// Whether the words of a block are those of a move, each at most once.
+/// Whether a block contains only the words of a move, each at most once.
 fn is_convertible(block: &Block, list: CodeList) -> bool {
     let is_plain = block.kind == BlockKind::Words
         && block.optional.is_none()

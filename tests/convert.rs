@@ -1,4 +1,4 @@
-//! `convert`: coordinates and arcs in another form; what stays, and that no program runs differently.
+//! `convert`: coordinates and arcs in another form; the words that stay, and that no program runs differently.
 
 use crate::cli::{file, run};
 use crate::fixtures;
@@ -6,11 +6,10 @@ use crate::random_programs;
 
 use gcode_playground::analyze;
 use gcode_playground::convert::{Conversion, Form, converted};
-use gcode_playground::limits::Limits;
 use gcode_playground::message::applied;
 use gcode_playground::setup::Setup;
 use proptest::prelude::*;
-use random_programs::{any_setup, program};
+use random_programs::{any_setup, program, small};
 
 const FORMS: [Form; 4] = [Form::Absolute, Form::Incremental, Form::Radius, Form::Center];
 
@@ -178,8 +177,7 @@ proptest! {
 
     #[test]
     fn random_programs_run_the_same(text in program(), setup in any_setup()) {
-        let limits = Limits { motions: 3000, repeated_blocks: 2000, rounds: 500, macro_steps: 2000, ..setup.limits };
-        check_runs_the_same(&text, &Setup { limits, ..setup }).map_err(TestCaseError::fail)?;
+        check_runs_the_same(&text, &small(&setup)).map_err(TestCaseError::fail)?;
     }
 }
 

@@ -251,7 +251,7 @@ fn assert_steps(found: &[(&'static str, [(f64, f64); 2])], expected: &[(&'static
     assert!(same, "{found:?}, not {expected:?}");
 }
 
-/// The steps of `www/manual`. ③ to ⑤ are those of the fifth of ten passes: at X21 the arc around X32 Z-40.5 with R7.5
+/// The steps of `www/manual`. ③ to ⑤ belong to the fifth of ten passes: at X21 the arc around X32 Z-40.5 with R7.5
 /// is at Z-40.5 - √(7.5² - 5.5²) = -45.599. ⑥ is the longest straight piece of the contour, from Z-25.5 to Z-40.5 at
 /// X17. All are shifted by the allowance.
 #[test]

@@ -9,12 +9,11 @@ use crate::random_programs;
 use gcode_playground::analyze;
 use gcode_playground::api;
 use gcode_playground::format::edits;
-use gcode_playground::limits::Limits;
 use gcode_playground::message::applied;
 use gcode_playground::proof::{Difference, difference};
 use gcode_playground::setup::Setup;
 use proptest::prelude::*;
-use random_programs::{any_setup, piece, program};
+use random_programs::{any_setup, piece, program, small};
 
 fn formatted(text: &[u8]) -> Vec<u8> {
     applied(text, &edits(text))
@@ -208,13 +207,6 @@ fn the_programs_of_the_gallery_run_the_same() {
 fn a_program_without_blanks_is_formatted_the_same() {
     let text = "N10 G00 X52. Z2. M08\nN20 G71 U2. R0.5\n/N30 G01 X-1. F0.2\nM30\n";
     check(&text.replace([' '], "").to_lowercase(), text);
-}
-
-/// The limits of a run, so that a random program ends soon.
-fn small(setup: &Setup) -> Setup {
-    let limits =
-        Limits { motions: 3000, repeated_blocks: 2000, rounds: 500, macro_steps: 2000, ..setup.limits };
-    Setup { limits, ..setup.clone() }
 }
 
 proptest! {

@@ -5,7 +5,6 @@ use crate::cli::{file, run};
 use crate::fixtures;
 use crate::random_programs;
 
-use gcode_playground::limits::Limits;
 use gcode_playground::message::applied;
 use gcode_playground::proof::{Difference, difference};
 use gcode_playground::renumber::{Blocks, Numbering, Reason, Refused, Source, edits};
@@ -13,7 +12,7 @@ use gcode_playground::setup::Setup;
 use gcode_playground::setup::dialect::{CodeList, Control};
 use gcode_playground::{analyze, api};
 use proptest::prelude::*;
-use random_programs::{any_setup, program};
+use random_programs::{any_setup, program, small};
 
 const TENS: Numbering = Numbering::Ascending { from: 10, step: 10, blocks: Blocks::Numbered };
 const ALL: Numbering = Numbering::Ascending { from: 10, step: 10, blocks: Blocks::All };
@@ -296,8 +295,7 @@ proptest! {
 
     #[test]
     fn random_programs_run_the_same(text in program(), setup in any_setup()) {
-        let limits = Limits { motions: 3000, repeated_blocks: 2000, rounds: 500, macro_steps: 2000, ..setup.limits };
-        check_runs_the_same(&text, &Setup { limits, ..setup }).map_err(TestCaseError::fail)?;
+        check_runs_the_same(&text, &small(&setup)).map_err(TestCaseError::fail)?;
     }
 }
 

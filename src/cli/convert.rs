@@ -55,12 +55,10 @@ impl From<Form> for convert::Form {
 /// Runs `convert`.
 pub(super) fn run(convert: &Convert) -> Result<Status, String> {
     let source = Source::read(&convert.file, &Configurations::new(&convert.with)?)?;
-    let own = source.own();
-    let found = converted(source.run_text(), own, &source.setup, convert.to.into());
+    let found = converted(source.run_text(), source.own(), &source.setup, convert.to.into());
     let changed = (!found.edits.is_empty()).then(|| applied(&source.text, &found.edits));
-    let mut left = found.left.iter().filter(|word| word.end as usize <= own);
-    if let Some(first) = left.next() {
-        let count = 1 + left.count();
+    if let Some(first) = found.left.first() {
+        let count = found.left.len();
         let (word, place) = (first.quote(source.run_text()), source.place(*first));
         print_error_line(format_args!("{place}: `{word}` stays ({count} in all)"));
     }

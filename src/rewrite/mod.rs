@@ -8,6 +8,8 @@ mod places;
 mod shape;
 mod write;
 
+pub use places::g;
+
 use crate::order;
 use std::collections::BTreeMap;
 

@@ -1,7 +1,7 @@
 // Visual Studio Code for the Web with the packed extension, on a server of this machine.
 //
 // In: the archive of the extension, and the files of the folder that is open. Out: the address. The folder is the memory
-// of a second extension, which is part of this file. Webviews have origins of their own, as everywhere: names that end
+// of a second extension, which is part of this file. Each webview has a separate origin, as in any VS Code: names that end
 // with `localhost` are addresses of this machine. Must not know: which tests there are.
 
 import { unzipSync } from 'fflate';

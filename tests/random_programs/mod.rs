@@ -1,6 +1,7 @@
 //! Random programs, correct and faulty, and setups for them.
 #![cfg(not(target_arch = "wasm32"))]
 
+use gcode_playground::limits::Limits;
 use gcode_playground::setup::Setup;
 use proptest::prelude::*;
 
@@ -200,6 +201,13 @@ pub fn program() -> impl Strategy<Value = String> {
         let end = if plain { "M30\n" } else { "" };
         format!("O1\nM3 S500 F.2\n{main}{end}O2\n{second}M99\nO3\n{third}M99\n")
     })
+}
+
+/// The setup with limits, so that a random program ends soon.
+pub fn small(setup: &Setup) -> Setup {
+    let limits =
+        Limits { motions: 3000, repeated_blocks: 2000, rounds: 500, macro_steps: 2000, ..setup.limits };
+    Setup { limits, ..setup.clone() }
 }
 
 /// A setup of any control and system.

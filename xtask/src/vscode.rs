@@ -1,7 +1,7 @@
 //! In: the built element, which has the library, and the sources in `editors/vscode`. Out: the extension for
 //! Visual Studio Code, `target/vscode/gcode-playground.vsix`.
 //!
-//! The files are put together in a folder of their own, so that the archive contains nothing else.
+//! The files are collected in a separate folder, so that the archive contains nothing else.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -71,7 +71,7 @@ pub fn pack(setup: &Setup) -> Result<Duration> {
     step("bundling the extension", &mut bundle)?;
     let mut vsce = setup.command("node");
     vsce.arg(bin.with_file_name("@vscode/vsce/vsce")).current_dir(&folder);
-    // The two licences have names of their own, and no document has a relative link.
+    // The licence files are not named LICENSE, and no document has a relative link.
     vsce.args(["package", "--no-dependencies", "--skip-license", "--allow-missing-repository", "--out"]);
     step("packing the extension", vsce.arg(archive()))?;
     Ok(begun.elapsed())

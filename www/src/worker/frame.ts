@@ -1,7 +1,7 @@
 // The next frame of the page, or of a worker.
 //
-// In: a callback. Out: its call, once. A hidden page has no frames, and a browser may skip those of a page that it takes
-// for covered: then a timer calls.
+// In: a callback. Out: one call. A hidden page has no frames, and a browser may skip the frames of a page that it
+// considers covered: then a timer calls.
 
 /** The longest time until the call, ms. */
 const LONGEST_MS = 1000;
