@@ -95,7 +95,8 @@ pub fn difference(before: &[u8], after: &[u8], setup: &Setup) -> Option<Differen
         .or_else(|| difference_of_references(before, after, codes, setup))
 }
 
-fn is_for_other_control(told: &Diagnostic) -> bool {
+/// Whether a message says that the program is for another control, and is not run.
+pub fn is_for_other_control(told: &Diagnostic) -> bool {
     let message = &told.message;
     message.is::<said::ForeignControl>()
         || message.is::<said::ForeignMill>()

@@ -1,17 +1,21 @@
-//! `convert`: coordinates and arcs in another form; the words that stay, and that no program runs differently.
+//! `convert`: coordinates, arcs, cycles and lengths in another form; the words that stay, and that no program runs differently.
 
 use crate::cli::{file, run};
 use crate::fixtures;
 use crate::random_programs;
 
 use gcode_playground::analyze;
+use gcode_playground::convert::unit::NEAR;
 use gcode_playground::convert::{Conversion, Form, converted};
 use gcode_playground::message::applied;
 use gcode_playground::setup::Setup;
+use gcode_playground::setup::dialect::GSystem;
 use proptest::prelude::*;
 use random_programs::{any_setup, program, small};
 
-const FORMS: [Form; 4] = [Form::Absolute, Form::Incremental, Form::Radius, Form::Center];
+/// The forms that leave the motions as they are, apart from the rounding of a centre.
+const FORMS: [Form; 6] =
+    [Form::Absolute, Form::Incremental, Form::Radius, Form::Center, Form::OneBlock, Form::TwoBlocks];
 
 fn conversion(text: &str, form: Form) -> Conversion {
     converted(text.as_bytes(), text.len(), &Setup::default(), form)
@@ -128,6 +132,130 @@ fn an_arc_has_a_radius_or_a_centre() {
     check(Form::Radius, circle, circle, &["I5", "K0"]);
 }
 
+/// A contour after its cycle, and the end of the program.
+const CONTOUR: &str = "N1 G00 X20\nG01 Z-10\nX30 Z-15\nN2 X42\nG70 P1 Q2\nM30\n";
+
+#[test]
+fn roughing_in_one_block_has_the_depth_in_least_increments() {
+    let program = |call: &str| format!("G00 X42 Z2 M03 S500\n{call}\n{CONTOUR}");
+    // The escape of 1 mm is the one in force.
+    check(
+        Form::OneBlock,
+        &program("G71 U2 R1\nG71 P1 Q2 U.4 W.1 F.2"),
+        &program("G71 P1 Q2 U.4 W.1 D2000 F.2"),
+        &[],
+    );
+    check(
+        Form::TwoBlocks,
+        &program("G71 P1 Q2 U.4 W.1 D2000 F.2"),
+        &program("G71 U2\nG71 P1 Q2 U.4 W.1 F.2"),
+        &[],
+    );
+    check(
+        Form::OneBlock,
+        &program("G71 U1.5\nN9 G71 P1 Q2 U.4 W.1"),
+        &program("N9 G71 P1 Q2 U.4 W.1 D1500"),
+        &[],
+    );
+    // Another escape has no word in one block, and a block number may be needed.
+    for call in ["G71 U2 R.5\nG71 P1 Q2 U.4 W.1 F.2", "N8 G71 U2\nG71 P1 Q2 U.4 W.1 F.2\nIF[1EQ2]GOTO8"] {
+        let text = program(call);
+        assert_eq!(written(&text, Form::OneBlock), (text.clone(), vec!["G71".to_owned()]), "{text}");
+    }
+    // D of G73 is the number of its passes.
+    check(
+        Form::TwoBlocks,
+        &program("G73 P1 Q2 I6. K2. U.4 W.1 D3 F.2"),
+        &program("G73 U6. W2. R3\nG73 P1 Q2 U.4 W.1 F.2"),
+        &[],
+    );
+    check(
+        Form::OneBlock,
+        &program("G73 U6. W2. R3\nG73 P1 Q2 U.4 W.1 F.2"),
+        &program("G73 P1 Q2 U.4 W.1 I6. K2. D3 F.2"),
+        &[],
+    );
+}
+
+#[test]
+fn pecking_and_threading_in_one_block() {
+    let program = |call: &str| format!("G00 X42 Z2 M03 S500\n{call}\nG00 X60 Z10\nM30\n");
+    check(
+        Form::TwoBlocks,
+        &program("G75 X30 Z-10 I2. K3. F.1"),
+        &program("G75 X30 Z-10 P2000 Q3000 F.1"),
+        &[],
+    );
+    check(
+        Form::OneBlock,
+        &program("G74 R1\nG74 X30 Z-10 P3000 Q2500 F.1"),
+        &program("G74 X30 Z-10 I3 K2.5 F.1"),
+        &[],
+    );
+    // One finishing pass, no pull-out, 60 degrees, no least depth, no allowance.
+    let thread = "G00 X42 Z10 M03 S300\n";
+    let one = format!("{thread}G76 X35.1 Z-30 K2.45 D700 F4 A60\nM30\n");
+    let two = format!("{thread}G76 P010060 Q0 R0\nG76 X35.1 Z-30 P2450 Q700 F4\nM30\n");
+    check(Form::TwoBlocks, &one, &two, &[]);
+    check(Form::OneBlock, &two, &format!("{thread}G76 X35.1 Z-30 K2.45 D700 A60 F4\nM30\n"), &[]);
+    // The allowance of the last pass has no word in one block.
+    let own = format!("{thread}G76 P010060 Q0 R.1\nG76 X35.1 Z-30 P2450 Q700 F4\nM30\n");
+    assert_eq!(written(&own, Form::OneBlock).0, own);
+}
+
+#[test]
+fn lengths_are_written_in_millimetres_or_inches() {
+    // 2 in = 50.8 mm; 0.01 in/rev = 0.254 mm/rev; 400 ft/min = 121.92 m/min.
+    let inches =
+        "G20\nG96 S400 M03\nG00 X2. Z.1\nG01 Z-1.25 F.01\nG04 X1.5\nG97 S500\nG92 X1.9 Z-1. F.125\nM30\n";
+    let millimetres = "G21\nG96 S122 M03\nG00 X50.8 Z2.54\nG01 Z-31.75 F0.254\nG04 X1.5\nG97 S500\nG92 X48.26 Z-25.4 F3.175\nM30\n";
+    check(Form::Millimetre, inches, millimetres, &[]);
+    let back =
+        "G20\nG96 S400 M03\nG00 X2. Z0.1\nG01 Z-1.25 F0.01\nG04 X1.5\nG97 S500\nG92 X1.9 Z-1. F0.125\nM30\n";
+    assert_eq!(written(millimetres, Form::Inch).0, back);
+    // Without a code for the unit it is added; 10 mm = 0.3937 in. Q counts 0.001 mm or 0.0001 in.
+    assert_eq!(
+        written("O1\nT0101 M03 S500\nG00 X60. Z2.\nG75 X10. Z2. P2540 F.1\nM30\n", Form::Inch),
+        (
+            "O1\nG20\nT0101 M03 S500\nG00 X2.3622 Z0.0787\nG75 X0.3937 Z0.0787 P1000 F0.0039\nM30\n"
+                .to_owned(),
+            Vec::new()
+        )
+    );
+    // A length that is not known stays, and so does all of the program.
+    let text = "G21\n#1=20\nG00 X#1\nM30\n";
+    assert_eq!(written(text, Form::Inch).0, text);
+    let text = "G21\nG00 X20 C5\nM30\n";
+    assert_eq!(written(text, Form::Inch), (text.to_owned(), vec!["C5".to_owned()]));
+}
+
+#[test]
+fn codes_are_written_in_another_system() {
+    let system = |text: &str, from: &str, to: GSystem| {
+        let setup = Setup::from_json(&format!(r#"{{"dialect": {{"gSystem": "{from}"}}}}"#)).expect("a setup");
+        let found = converted(text.as_bytes(), text.len(), &setup, Form::System(to));
+        let left: Vec<String> = found.left.iter().map(|word| word.quote(text.as_bytes())).collect();
+        (String::from_utf8(applied(text.as_bytes(), &found.edits)).expect("UTF-8"), left)
+    };
+    // FANUC B-64304, list of G codes: G90 G92 G94 G98 G50 of A are G77 G78 G79 G94 G92 of B, G20 G21 G24 G94 G92 of C.
+    let a = "G21 G99 G50 S2000\nT0101 M03 S500\nG00 X32 Z2\nG90 X28 Z-20 F.2\nX26\nG00 U10 W5\nW-3\nX30\nG04 U1\nG98\nM30\n";
+    let b = "G21 G95 G92 S2000\nT0101 M03 S500\nG90 G00 X32 Z2\nG77 X28 Z-20 F.2\nX26\nG91 G00 X10 Z5\nZ-3\nG90 X30\nG04 X1\nG94\nM30\n";
+    let c = "G71 G95 G92 S2000\nT0101 M03 S500\nG90 G00 X32 Z2\nG20 X28 Z-20 F.2\nX26\nG91 G00 X10 Z5\nZ-3\nG90 X30\nG04 X1\nG94\nM30\n";
+    assert_eq!(system(a, "A", GSystem::B), (b.to_owned(), Vec::new()));
+    assert_eq!(system(a, "A", GSystem::C), (c.to_owned(), Vec::new()));
+    assert_eq!(system(b, "B", GSystem::C), (c.to_owned(), Vec::new()));
+    let back = "G21 G99 G50 S2000\nT0101 M03 S500\nG00 X32 Z2\nG90 X28 Z-20 F.2\nX26\nG00 U10 W5\nW-3\nX30\nG04 X1\nG98\nM30\n";
+    assert_eq!(system(b, "B", GSystem::A), (back.to_owned(), Vec::new()));
+    assert_eq!(system(c, "C", GSystem::A), (back.to_owned(), Vec::new()));
+    // G90 or G91, not both.
+    let mixed = "G00 X32 Z2\nX30 W-3\nM30\n";
+    assert_eq!(system(mixed, "A", GSystem::B), (mixed.to_owned(), vec!["W-3".to_owned()]));
+    // The allowances of G71 are no distances.
+    let call = format!("G00 X42 Z2 M03 S500\nG71 U2 R1\nG71 P1 Q2 U.4 W.1 F.2\n{CONTOUR}");
+    let (after, _) = system(&call, "A", GSystem::C);
+    assert!(after.contains("G73 U2 R1\nG73 P1 Q2 U.4 W.1 F.2\n"), "{after}");
+}
+
 /// Converts to each form: the motions stay the same to 0.001 mm, and the second time nothing changes.
 fn check_runs_the_same(text: &str, setup: &Setup) -> Result<usize, String> {
     let mut count = 0;
@@ -152,6 +280,58 @@ fn check_runs_the_same(text: &str, setup: &Setup) -> Result<usize, String> {
         }
         if !converted(after.as_bytes(), after.len(), setup, form).edits.is_empty() {
             return shown("not the same the second time");
+        }
+    }
+    Ok(count + check_units(text, setup)? + check_systems(text, setup)?)
+}
+
+/// Converts to each system: a run with that system makes the same motions.
+fn check_systems(text: &str, setup: &Setup) -> Result<usize, String> {
+    let mut count = 0;
+    for system in GSystem::ALL {
+        let found = converted(text.as_bytes(), text.len(), setup, Form::System(system));
+        if found.edits.is_empty() {
+            continue;
+        }
+        count += found.edits.len();
+        let after = String::from_utf8(applied(text.as_bytes(), &found.edits)).expect("UTF-8");
+        let mut other = setup.clone();
+        other.dialect.g_system = Some(system);
+        let ends = |text: &str, setup: &Setup| -> Vec<_> {
+            analyze(text.as_bytes(), setup).motions.iter().map(|motion| (motion.kind, motion.to)).collect()
+        };
+        let (one, after_ends) = (ends(text, setup), ends(&after, &other));
+        let near =
+            |((kind, to), (other, at)): (&(_, _), &(_, _))| kind == other && distance(*to, *at) <= 1e-6;
+        if one.len() != after_ends.len() || !one.iter().zip(&after_ends).all(near) {
+            return Err(format!("other motions: {system:?}\n{text}\n--- became:\n{after}"));
+        }
+        if !converted(after.as_bytes(), after.len(), &other, Form::System(system)).edits.is_empty() {
+            return Err(format!("not the same the second time: {system:?}\n{text}\n--- became:\n{after}"));
+        }
+    }
+    Ok(count)
+}
+
+/// Converts to the other unit and back: the ends of the motions stay within the increments of both units.
+fn check_units(text: &str, setup: &Setup) -> Result<usize, String> {
+    let ends = |text: &str| -> Vec<_> {
+        analyze(text.as_bytes(), setup).motions.iter().map(|motion| (motion.kind, motion.to)).collect()
+    };
+    let mut count = 0;
+    for form in [Form::Inch, Form::Millimetre] {
+        let found = converted(text.as_bytes(), text.len(), setup, form);
+        count += found.edits.len();
+        let after = String::from_utf8(applied(text.as_bytes(), &found.edits)).expect("UTF-8");
+        let (one, other) = (ends(text), ends(&after));
+        let near =
+            |((kind, to), (other, at)): (&(_, _), &(_, _))| kind == other && distance(*to, *at) <= NEAR;
+        if one.len() != other.len() || !one.iter().zip(&other).all(near) {
+            return Err(format!("other motions: {form:?}\n{text}\n--- became:\n{after}"));
+        }
+        if !found.edits.is_empty() && !converted(after.as_bytes(), after.len(), setup, form).edits.is_empty()
+        {
+            return Err(format!("not the same the second time: {form:?}\n{text}\n--- became:\n{after}"));
         }
     }
     Ok(count)

@@ -1,4 +1,4 @@
-//! `convert`: writes coordinates or arcs in another form, in place.
+//! `convert`: writes coordinates, arcs, cycles, lengths or codes in another form, in place.
 //!
 //! In: a program. Out: the program in that form, with the same motions; on standard error how many words stay.
 
@@ -11,6 +11,7 @@ use super::options::ProgramOptions;
 use super::system::print_error_line;
 use crate::convert::{self, converted};
 use crate::message::applied;
+use crate::setup::dialect::GSystem;
 
 /// The arguments of `convert`.
 #[derive(clap::Args)]
@@ -39,6 +40,20 @@ enum Form {
     Radius,
     /// R of arcs as I and K
     Center,
+    /// G71 to G76 in one block
+    OneBlock,
+    /// G71 to G76 in two blocks
+    TwoBlocks,
+    /// Lengths in millimetres
+    Mm,
+    /// Lengths in inches
+    Inch,
+    /// The codes of G-code system A
+    SystemA,
+    /// The codes of G-code system B
+    SystemB,
+    /// The codes of G-code system C
+    SystemC,
 }
 
 impl From<Form> for convert::Form {
@@ -48,6 +63,13 @@ impl From<Form> for convert::Form {
             Form::Incremental => Self::Incremental,
             Form::Radius => Self::Radius,
             Form::Center => Self::Center,
+            Form::OneBlock => Self::OneBlock,
+            Form::TwoBlocks => Self::TwoBlocks,
+            Form::Mm => Self::Millimetre,
+            Form::Inch => Self::Inch,
+            Form::SystemA => Self::System(GSystem::A),
+            Form::SystemB => Self::System(GSystem::B),
+            Form::SystemC => Self::System(GSystem::C),
         }
     }
 }

@@ -170,7 +170,17 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "www/docs/command-line.md",
         "may be off by 0.001 mm",
-        Held::Stated("src/convert.rs", "const SAME: f64 = 1e-3;"),
+        Held::Stated("src/convert/mod.rs", "const SAME: f64 = 1e-3;"),
+    ),
+    figure(
+        "www/docs/command-line.md",
+        "an escape and a retract of 1 mm",
+        Held::Stated("src/control/modal.rs", "escape: 1.0,"),
+    ),
+    figure(
+        "www/docs/command-line.md",
+        "Lengths are rounded to 0.001 mm or 0.0001 inch, so the motions are the same within 0.005 mm; feed rates within 1 %",
+        Held::Stated("src/convert/unit.rs", "pub const NEAR: f64 = 2.0 * 0.00254;"),
     ),
     figure(
         "www/docs/editors.md",

@@ -41,6 +41,16 @@ pub struct GCode {
     keys: [u16; CodeList::ALL.len()],
 }
 
+impl GCode {
+    /// As a program writes it with a list; `None` if the list lacks it.
+    pub fn text(&self, list: CodeList) -> Option<String> {
+        let key = self.keys[list as usize];
+        let mut text = String::new();
+        spell(&mut text, 'G', key / 10, key % 10);
+        (key != NOT_THERE).then_some(text)
+    }
+}
+
 struct MCode {
     function: Function,
     role: Option<Role>,
@@ -489,22 +499,12 @@ impl MCode {
 
 /// A G code as spelled in a list: `G99`; `None` if the list does not have it.
 pub fn written(code: G, list: CodeList) -> Option<String> {
-    let found = G_CODES.iter().find(|other| other.code == code && other.keys[list as usize] != NOT_THERE)?;
-    let key = found.keys[list as usize];
-    let mut text = String::new();
-    spell(&mut text, 'G', key / 10, key % 10);
-    Some(text)
+    G_CODES.iter().filter(|other| other.code == code).find_map(|found| found.text(list))
 }
 
 /// The G codes of a list, with their spelling.
 pub fn g_codes(list: CodeList) -> impl Iterator<Item = (String, &'static GCode)> {
-    let is_there = move |code: &&GCode| code.keys[list as usize] != NOT_THERE;
-    G_CODES.iter().filter(is_there).map(move |code| {
-        let key = code.keys[list as usize];
-        let mut text = String::new();
-        spell(&mut text, 'G', key / 10, key % 10);
-        (text, code)
-    })
+    G_CODES.iter().filter_map(move |code| Some((code.text(list)?, code)))
 }
 
 /// An M code as programs write it: `M98`.

@@ -1,9 +1,15 @@
-//! Writes the coordinates or the arcs of a program in another form: U and W as X and Z or back, R as I and K or back.
+//! Writes a program in another form: U and W as X and Z or back, R as I and K or back, multiple cycles in one block or
+//! in two, millimetres as inches or back, and the codes of another G-code system.
 //!
-//! In: a program and its setup. Out: the edits, and the words that stay. A word is written in the other form only if
-//! its place is known: not before the first absolute position, after a reference point or after a new tool, and not
+//! In: a program and its setup. Out: the edits, and the words that stay. A coordinate is written in the other form only
+//! if its place is known: not before the first absolute position, after a reference point or after a new tool, and not
 //! if its block is executed at several places. The changed program makes the same motions, with block skip off and
-//! on: a block that would not is left as it is. Must not know files.
+//! on: a block that would not is left as it is. Cycles are in `cycles`, units in `unit`,
+//! G-code systems in `system`. Must not know files.
+
+mod cycles;
+mod system;
+pub mod unit;
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -13,11 +19,11 @@ use crate::control::words::plain;
 use crate::geometry::{Arc, Point};
 use crate::message::{Edit, applied};
 use crate::motion::Motion;
-use crate::proof::switches;
+use crate::proof::{is_for_other_control, switches};
 use crate::rewrite::{first_other_motion, g, has_no_new_complaints};
 use crate::run::{Analysis, analyze};
 use crate::setup::Setup;
-use crate::setup::dialect::{CodeList, DecimalRule, Dialect};
+use crate::setup::dialect::{CodeList, DecimalRule, Dialect, GSystem};
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Word};
 use crate::text::parser::{Parser, Resume};
@@ -44,6 +50,16 @@ pub enum Form {
     Radius,
     /// Arcs by their centre: I and K.
     Center,
+    /// Multiple cycles in one block.
+    OneBlock,
+    /// Multiple cycles in two blocks.
+    TwoBlocks,
+    /// Lengths in millimetres: G21.
+    Millimetre,
+    /// Lengths in inches: G20.
+    Inch,
+    /// The codes of a G-code system.
+    System(GSystem),
 }
 
 /// The edits that write a program in another form.
@@ -57,14 +73,20 @@ pub struct Conversion {
 
 /// Writes a program in a form. `own`: the length of the program itself, bytes; subprograms from other files after it stay.
 pub fn converted(text: &[u8], own: usize, setup: &Setup, form: Form) -> Conversion {
-    let run = |block_skip| {
-        let setup = Setup { block_skip, ..setup.clone() };
-        let analysis = analyze(text, &setup);
-        (setup, analysis)
+    match form {
+        Form::Millimetre => return unit::converted(text, own, setup, Unit::Millimetre),
+        Form::Inch => return unit::converted(text, own, setup, Unit::Inch),
+        Form::System(system) => return system::converted(text, own, setup, system),
+        _ => {}
+    }
+    let runs = runs(text, setup);
+    let (words, mut found) = match form {
+        Form::OneBlock | Form::TwoBlocks => {
+            let codes = runs[0].1.codes;
+            (cycles::codes_in_other_form(&text[..own], codes, form), cycles::edits(text, setup, form))
+        }
+        _ => (words(&text[..own], form), edits_of_blocks(text, &runs[0].1, form)),
     };
-    let runs: Vec<(Setup, Analysis)> = switches(text, setup).into_iter().map(run).collect();
-    let words = words(&text[..own], form);
-    let mut found = edits_of_blocks(text, &runs[0].1, form);
     found.retain(|start, _| (*start as usize) < own);
     for _ in 0..MAX_LEFT {
         let edits: Vec<Edit> = found.values().flatten().cloned().collect();
@@ -87,6 +109,21 @@ pub fn converted(text: &[u8], own: usize, setup: &Setup, form: Form) -> Conversi
         }
     }
     Conversion { edits: Vec::new(), left: words }
+}
+
+/// The runs of a program, with block skip off and on.
+fn runs(text: &[u8], setup: &Setup) -> Vec<(Setup, Analysis)> {
+    let run = |block_skip| {
+        let setup = Setup { block_skip, ..setup.clone() };
+        let analysis = analyze(text, &setup);
+        (setup, analysis)
+    };
+    switches(text, setup).into_iter().map(run).collect()
+}
+
+/// Whether a program is for this control: another one is not run, so nothing is known about it.
+fn is_run(analysis: &Analysis) -> bool {
+    !analysis.diagnostics.iter().any(is_for_other_control)
 }
 
 /// The block of the first motion that edits change; the largest number if only their number or the messages differ.
@@ -126,6 +163,7 @@ fn is_other(word: &Word, form: Form, block: &Block) -> bool {
             Form::Incremental => matches!(word.address, b'X' | b'Z'),
             Form::Radius => is_arc && matches!(word.address, b'I' | b'K'),
             Form::Center => is_arc && word.address == b'R',
+            _ => false,
         }
 }
 
@@ -148,9 +186,7 @@ impl Move {
             && match form {
                 Form::Absolute => near(self.to, other.to),
                 Form::Incremental => near(way(self), way(other)),
-                Form::Radius | Form::Center => {
-                    near(way(self), way(other)) && self.arc.is_some() == other.arc.is_some()
-                }
+                _ => near(way(self), way(other)) && self.arc.is_some() == other.arc.is_some(),
             }
     }
 }
@@ -158,7 +194,7 @@ impl Move {
 /// The edits of each block, by its first byte.
 fn edits_of_blocks(text: &[u8], analysis: &Analysis, form: Form) -> BTreeMap<u32, Vec<Edit>> {
     let is_distance = matches!(form, Form::Absolute | Form::Incremental);
-    if is_distance && analysis.codes != CodeList::A || !has_one_unit(text, analysis.unit) {
+    if is_distance && analysis.codes != CodeList::A || !has_one_unit(text, analysis.codes, analysis.unit) {
         return BTreeMap::new();
     }
     let decimal = Dialect::new(&analysis.setup.dialect).decimal;
@@ -236,14 +272,13 @@ impl Unrolled {
 }
 
 /// Whether all blocks are in one unit.
-fn has_one_unit(text: &[u8], unit: Unit) -> bool {
+fn has_one_unit(text: &[u8], codes: CodeList, unit: Unit) -> bool {
     let (mut parser, mut block) = (Parser::new(text), Block::default());
     while parser.next_block(&mut block) {
-        let units =
-            block.words.iter().filter_map(|word| g(word, CodeList::A)).filter_map(|code| match code {
-                G::Unit(unit) => Some(unit),
-                _ => None,
-            });
+        let units = block.words.iter().filter_map(|word| g(word, codes)).filter_map(|code| match code {
+            G::Unit(unit) => Some(unit),
+            _ => None,
+        });
         if units.into_iter().any(|own| own != unit) {
             return false;
         }
@@ -384,7 +419,7 @@ impl Writer<'_> {
                 others.iter().filter_map(|word| self.coordinate(word, own)).collect()
             }
             Form::Radius => self.radius(&others, own).unwrap_or_default(),
-            Form::Center => self.center(&others, own).unwrap_or_default(),
+            _ => self.center(&others, own).unwrap_or_default(),
         }
     }
 

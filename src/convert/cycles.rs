@@ -1,0 +1,353 @@
+//! Writes multiple cycles, G71 to G76, in one block or in two.
+//!
+//! In: a program and its setup. Out: the edits of each call, by its cutting block. Each word keeps its role; the tables
+//! of `control::codes::cycles` say which letter has a role in which block. A word without a letter in the other form,
+//! such as the escape of G71, is omitted: whether the motions stay the same is decided by the caller.
+
+use std::collections::BTreeMap;
+
+use super::Form;
+use crate::assist::Query;
+use crate::assist::fact::Quantity;
+use crate::assist::form::cycle_block;
+use crate::assist::names::Name;
+use crate::assist::uses;
+use crate::control::codes::cycles::CycleBlock;
+use crate::control::codes::role::Role;
+use crate::control::codes::words::CodeWord;
+use crate::control::codes::{G, Multiple};
+use crate::control::words::{after_letter, plain};
+use crate::message::Edit;
+use crate::rewrite::g;
+use crate::run::Run;
+use crate::run::replay::VisitChoice;
+use crate::setup::Setup;
+use crate::setup::dialect::{CodeList, Control, DecimalRule, Dialect, PqUnit};
+use crate::source::{LineIndex, Span};
+use crate::text::block::{Block, BlockKind, Word};
+use crate::text::parser::{Parser, Resume};
+use crate::units::{Unit, number};
+
+/// Maximum number of calls that are converted.
+const MAX_CALLS: usize = 500;
+/// Maximum number of blocks that are executed again to find a block.
+const MAX_BLOCKS: usize = 200_000;
+/// The angles of G76 that have two digits in P.
+const MAX_ANGLE: f64 = 99.0;
+
+/// A call of a multiple cycle.
+struct Call {
+    cycle: Multiple,
+    /// The first byte of a first block directly before it.
+    first: Option<u32>,
+    /// The first byte of the block that cuts.
+    start: u32,
+    block: CycleBlock,
+}
+
+/// The edits of the calls that are in the other form.
+pub(super) fn edits(text: &[u8], setup: &Setup, form: Form) -> BTreeMap<u32, Vec<Edit>> {
+    let mut run = Run::finished(text.to_vec(), setup.clone());
+    let codes = run.code_list();
+    let own: Vec<Call> = calls(text, codes).into_iter().filter(|call| call.is_other(form)).collect();
+    let lines = LineIndex::new(text);
+    let own = own.iter().take(MAX_CALLS);
+    own.filter_map(|call| Some((call.start, call.edits(&mut run, &lines)?))).collect()
+}
+
+/// The codes of the calls in the other form.
+pub(super) fn codes_in_other_form(text: &[u8], codes: CodeList, form: Form) -> Vec<Span> {
+    let code_at = |start: u32| {
+        let block = block_at(text, start);
+        block.words.iter().find(|word| cycle_of(word, codes).is_some()).map(|word| word.span)
+    };
+    // A second block alone may have the same words in both forms.
+    let own = calls(text, codes).into_iter().filter(|call| call.is_other(form));
+    own.filter_map(|call| code_at(call.first.unwrap_or(call.start))).collect()
+}
+
+fn calls(text: &[u8], codes: CodeList) -> Vec<Call> {
+    let (mut parser, mut block) = (Parser::new(text), Block::default());
+    let (mut all, mut before) = (Vec::new(), None);
+    while parser.next_block(&mut block) {
+        if block.words.is_empty() && block.kind == BlockKind::Words {
+            continue;
+        }
+        let first = std::mem::take(&mut before);
+        let Some(cycle) = block.words.iter().find_map(|word| cycle_of(word, codes)) else { continue };
+        let start = block.span.start;
+        match cycle_block(cycle, &block) {
+            CycleBlock::First => before = Some((cycle, start)),
+            own => {
+                let first = first.filter(|(other, _)| *other == cycle).map(|(_, start)| start);
+                all.push(Call { cycle, first, start, block: own });
+            }
+        }
+    }
+    all
+}
+
+/// The roughing, pecking or threading cycle of a code.
+fn cycle_of(word: &Word, codes: CodeList) -> Option<Multiple> {
+    match g(word, codes)? {
+        G::Multiple(Multiple::Finishing) => None,
+        G::Multiple(cycle) => Some(cycle),
+        _ => None,
+    }
+}
+
+fn block_at(text: &[u8], start: u32) -> Block {
+    let mut block = Block::default();
+    Parser::resume(text, Resume::inside(start, 0)).next_block(&mut block);
+    block
+}
+
+impl Call {
+    fn is_other(&self, form: Form) -> bool {
+        match form {
+            Form::OneBlock => self.block == CycleBlock::Second,
+            _ => self.block == CycleBlock::Whole,
+        }
+    }
+
+    fn edits(&self, run: &mut Run, lines: &LineIndex) -> Option<Vec<Edit>> {
+        let writer = |run: &Run| Writer {
+            unit: run.state().unit,
+            dialect: Dialect::new(&run.setup().dialect),
+            cycle: self.cycle,
+        };
+        let own = given(run, lines, self.start, self.block)?;
+        if self.block == CycleBlock::Whole {
+            return writer(run).in_two_blocks(run.text(), run.code_list(), &own);
+        }
+        let first = match self.first {
+            Some(first) => Some(given(run, lines, first, CycleBlock::First)?),
+            None => None,
+        };
+        writer(run).in_one_block(run.text(), run.code_list(), first.as_ref(), &own)
+    }
+}
+
+/// A block of a call, with the values of its words.
+struct Given {
+    block: Block,
+    form: CycleBlock,
+    words: Vec<Value>,
+    /// Finishing passes and pull-out of G76 that are in force before the block.
+    thread: [u32; 2],
+}
+
+/// A word with its role.
+struct Value {
+    word: Word,
+    text: String,
+    role: Role,
+    /// A length, mm; `None` for a count.
+    mm: Option<f64>,
+}
+
+/// The block at a byte; `None` if it is not executed, or has more than the words of its cycle.
+fn given(run: &mut Run, lines: &LineIndex, start: u32, form: CycleBlock) -> Option<Given> {
+    let place = Resume::inside(start, lines.line_of(start));
+    let mut replay = run.replay(place, start, VisitChoice::Usual);
+    let found = run.advance_replay(&mut replay, MAX_BLOCKS).then(|| replay.found())?;
+    let block = found.block(run);
+    let is_plain = block.kind == BlockKind::Words
+        && block.delete.is_none()
+        && block.optional.is_none()
+        && block.program.is_none()
+        && !block.has_expressions
+        && block.faults.is_empty();
+    let state = &found.visit.as_ref().filter(|_| is_plain)?.before.state;
+    let thread = [state.parameters.finishing, u32::from(state.thread_chamfer)];
+    let asked = Query::new(run, &found, &block);
+    let value = |word: &Word| {
+        let hover = asked.hover(word.span.start, &[], run.motions())?;
+        let mm = match hover.quantity {
+            Some(Quantity::Length(mm)) => Some(mm),
+            _ => None,
+        };
+        Some(Value { word: *word, text: word.span.quote(run.text()), role: hover.role?, mm })
+    };
+    let own = block.words.iter().filter(|word| !b"GM".contains(&word.address));
+    let words: Vec<Value> = own.map(value).collect::<Option<_>>()?;
+    let is_once = |value: &Value| words.iter().filter(|other| other.role == value.role).count() == 1;
+    let is_known = words.iter().all(|value| !value.word.comma && is_once(value));
+    is_known.then_some(Given { block, form, words, thread })
+}
+
+/// Writes the words of a cycle in its other form.
+struct Writer {
+    unit: Unit,
+    dialect: Dialect,
+    cycle: Multiple,
+}
+
+impl Writer {
+    /// The first block is removed, and its words are added to the second one.
+    fn in_one_block(
+        &self,
+        text: &[u8],
+        codes: CodeList,
+        first: Option<&Given>,
+        second: &Given,
+    ) -> Option<Vec<Edit>> {
+        let sequence = first.and_then(|first| first.block.sequence);
+        let is_code = |word: &&Word| b"GM".contains(&word.address);
+        let has_more_codes = first.is_some_and(|first| first.block.words.iter().filter(is_code).count() > 1);
+        if has_more_codes || sequence.is_some_and(|own| is_referenced(text, codes, own)) {
+            return None;
+        }
+        let mut edits: Vec<Edit> = first.map(|first| without_block(text, &first.block)).into_iter().collect();
+        let mut added = Vec::new();
+        for value in first.map_or(&[][..], |first| &first.words) {
+            if value.role == Role::ThreadPacked {
+                let angle = plain(&value.word)? % 100.0;
+                added.extend((angle > 0.0).then(|| format!("A{}", number(angle))));
+            } else if let Some(letter) = self.letter(CycleBlock::Whole, value) {
+                added.push(self.written(value, CycleBlock::First, letter, CycleBlock::Whole)?);
+            }
+        }
+        let mut changed = Vec::new();
+        for value in &second.words {
+            if let Some(letter) = self.letter(CycleBlock::Whole, value) {
+                let written = self.written(value, second.form, letter, CycleBlock::Whole)?;
+                changed
+                    .extend((written != value.text).then_some(Edit { span: value.word.span, text: written }));
+            }
+        }
+        // Before the feed rate, as in manuals.
+        let feed = second.words.iter().find(|value| value.word.address == b'F');
+        let at = feed.map_or(second.block.words.last()?.span.end, |value| value.word.span.start);
+        let words: String = match feed {
+            Some(_) => added.iter().map(|word| format!("{word} ")).collect(),
+            None => added.iter().map(|word| format!(" {word}")).collect(),
+        };
+        if !words.is_empty() {
+            changed.push(Edit { span: Span { start: at, end: at }, text: words });
+        }
+        if edits.is_empty() {
+            // The code of a second block alone is converted with its words.
+            let code = second.block.words.iter().find(|word| cycle_of(word, codes).is_some())?;
+            if changed.is_empty() {
+                return None;
+            }
+            changed.push(Edit { span: code.span, text: code.span.quote(text) });
+        }
+        changed.sort_by_key(|edit| (edit.span.start, edit.span.end));
+        edits.extend(changed);
+        Some(edits)
+    }
+
+    /// A first block is added, with the words that belong to it.
+    fn in_two_blocks(&self, text: &[u8], codes: CodeList, own: &Given) -> Option<Vec<Edit>> {
+        let code = own.block.words.iter().find(|word| cycle_of(word, codes).is_some())?;
+        let mut first = vec![code.span.quote(text)];
+        let mut edits = Vec::new();
+        if self.cycle == Multiple::Threading {
+            let angle = own.words.iter().find(|value| value.role == Role::ThreadAngle);
+            let angle = angle.map_or(Some(0.0), |value| plain(&value.word))?;
+            if !(0.0..=MAX_ANGLE).contains(&angle) || angle.fract() != 0.0 {
+                return None;
+            }
+            let [finishing, pull_out] = own.thread;
+            // The one-block form has neither a least depth nor an allowance.
+            first.extend([
+                format!("P{finishing:02}{pull_out:02}{angle:02}"),
+                "Q0".to_owned(),
+                "R0".to_owned(),
+            ]);
+        }
+        for value in &own.words {
+            let span = with_blank(text, value.word.span);
+            let in_second = self.letter(CycleBlock::Second, value);
+            let edit = match (in_second, self.letter(CycleBlock::First, value)) {
+                // In the first block, or as in force.
+                _ if matches!(value.role, Role::ThreadAngle | Role::InfeedMethod) => {
+                    Edit { span, text: String::new() }
+                }
+                (Some(letter), _) => {
+                    let text = self.written(value, own.form, letter, CycleBlock::Second)?;
+                    Edit { span: value.word.span, text }
+                }
+                (None, Some(letter)) => {
+                    first.push(self.written(value, own.form, letter, CycleBlock::First)?);
+                    Edit { span, text: String::new() }
+                }
+                // F, S and T.
+                (None, None) => continue,
+            };
+            edits.extend((edit.text != value.text).then_some(edit));
+        }
+        let end = if text.windows(2).any(|two| two == b"\r\n") { "\r\n" } else { "\n" };
+        let own = code.span.quote(text);
+        // Without an amount in it, no first block is needed.
+        let codes = if first.len() == 1 { own } else { format!("{}{end}{own}", first.join(" ")) };
+        edits.push(Edit { span: code.span, text: codes });
+        edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
+        Some(edits)
+    }
+
+    /// The letter of a role in a block: the usual one, or the letter that the word has.
+    fn letter(&self, block: CycleBlock, value: &Value) -> Option<u8> {
+        let words = self.cycle.spec().words(block);
+        let own = |word: &&CodeWord| word.roles.contains(&value.role);
+        let usual = words.iter().filter(|word| word.otherwise.is_some()).find(own);
+        let usual = usual.and_then(|word| {
+            let at = word.roles.iter().position(|role| *role == value.role)?;
+            word.letters.get(at).copied()
+        });
+        let same = words.iter().filter(own).find(|word| word.letters.contains(&value.word.address));
+        usual.or(same.map(|_| value.word.address))
+    }
+
+    /// A word with another letter.
+    fn written(&self, value: &Value, from: CycleBlock, letter: u8, to: CycleBlock) -> Option<String> {
+        let is_same = letter == value.word.address;
+        if is_same && self.counts_increments(letter, from) == self.counts_increments(letter, to) {
+            return Some(value.text.clone());
+        }
+        let letter = char::from(letter);
+        let Some(mm) = value.mm else { return Some(format!("{letter}{}", after_letter(&value.text))) };
+        let length = mm / self.unit.millimetres();
+        if self.counts_increments(letter as u8, to) {
+            return Some(format!("{letter}{}", number((length / self.unit.increment()).round())));
+        }
+        let text = number(length);
+        let needs_point = self.dialect.decimal == DecimalRule::LeastIncrement || value.text.contains('.');
+        Some(if needs_point && !text.contains('.') {
+            format!("{letter}{text}.")
+        } else {
+            format!("{letter}{text}")
+        })
+    }
+
+    /// Whether a letter is a length in least increments, without a decimal point: P and Q of the two-block form, and D of
+    /// the one-block form.
+    fn counts_increments(&self, letter: u8, block: CycleBlock) -> bool {
+        match (letter, block) {
+            (b'P' | b'Q', CycleBlock::First | CycleBlock::Second) => self.dialect.pq_unit != PqUnit::Mm,
+            (b'D', CycleBlock::Whole) => self.dialect.control != Control::Gsk,
+            _ => false,
+        }
+    }
+}
+
+/// Whether a block number is used by another block.
+fn is_referenced(text: &[u8], codes: CodeList, number: u32) -> bool {
+    uses::all(text, codes, Name::Sequence(number)).iter().any(|(named, _)| !named.defines)
+}
+
+/// Removes the words of a block; its line, if the block has no comment.
+fn without_block(text: &[u8], block: &Block) -> Edit {
+    let after = &text[block.span.end as usize..];
+    let line_end = if after.starts_with(b"\r\n") { 2 } else { u32::from(after.starts_with(b"\n")) };
+    let whole = Span { start: block.span.start, end: block.span.end + line_end };
+    Edit { span: if block.comments.is_empty() { whole } else { block.words_span() }, text: String::new() }
+}
+
+/// A span with the blank before it.
+fn with_blank(text: &[u8], span: Span) -> Span {
+    let has_blank = span.start > 0 && text[span.start as usize - 1] == b' ';
+    Span { start: span.start - u32::from(has_blank), end: span.end }
+}
