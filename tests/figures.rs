@@ -480,7 +480,7 @@ fn the_detail_of_the_allowance_is_at_a_corner_or_at_a_land() {
         let all = details(&program, 4);
         let [detail, _] = &all[..] else { panic!("{all:?}") };
         assert!(detail.edges[0][1].is_same(finished), "{detail:?}");
-        assert!(detail.lines[0][1].is_same(finished.moved(allowance)), "{detail:?}");
+        assert!(detail.edges[1][1].is_same(finished.moved(allowance)), "{detail:?}");
         // The part is on the other side of its edge.
         let is_inside = |at: &Point| at.x <= finished.x + 1.0 && at.z <= finished.z + 1.0;
         assert!(detail.part[0].len() == 6 && detail.part[0].iter().all(is_inside), "{detail:?}");

@@ -23,7 +23,7 @@ const LONGEST_AT_START: f64 = 1.5;
 const DEPTHS: [&str; 5] = ["k", "Δd", "Δd min", "d", "a"];
 
 /// Replaces the allowances of roughing, which are too small to be seen, by a detail of a corner of the contour, or of a
-/// straight piece of it: the last roughing pass thin, the finished contour thick with the part hatched.
+/// straight piece of it: the last roughing pass, and the finished contour with the part hatched.
 pub fn add_allowance(call: &Call, all: &mut Vec<Annotation>) {
     let [x, z] = ["Δu/2", "Δw"].map(|name| length_of(all, name).unwrap_or(0.0));
     let largest = x.abs().max(z.abs());
@@ -80,8 +80,7 @@ pub fn add_allowance(call: &Call, all: &mut Vec<Annotation>) {
     let detail = Detail {
         at: corner.at,
         radius: reach,
-        lines: vec![rough],
-        edges: vec![edge],
+        edges: vec![edge, rough],
         part: vec![part],
         annotations,
         ..Detail::default()
@@ -133,7 +132,7 @@ pub fn add_start(call: &Call, all: &mut Vec<Annotation>) {
     let detail = Detail {
         at: start,
         radius: 1.5 * reach,
-        lines: cuts.into_iter().map(|(_, ends)| ends.to_vec()).collect(),
+        edges: cuts.into_iter().map(|(_, ends)| ends.to_vec()).collect(),
         rapids: rapids.into_iter().map(|(_, ends)| ends).collect(),
         annotations,
         ..Detail::default()

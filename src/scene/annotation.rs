@@ -91,7 +91,7 @@ pub struct Detail {
     pub lines: Vec<Vec<Point>>,
     /// Rapids, which are dashed.
     pub rapids: Vec<[Point; 2]>,
-    /// Thick lines: the edges of the part.
+    /// Thick lines: the edges of the part, and cuts.
     pub edges: Vec<Vec<Point>>,
     /// Outlines of the part, which are hatched.
     pub part: Vec<Vec<Point>>,

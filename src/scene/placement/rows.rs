@@ -7,6 +7,9 @@ use super::super::occupied::Rectangle;
 use super::candidates::Candidate;
 use super::{LABEL_HEIGHT, PlaceOfRows, PlacedLabel, Placing, ROW_STEP, row_of, size_of};
 
+/// Space between the picture and rows below it, CSS pixels.
+const BELOW: f64 = 8.0;
+
 impl Placing<'_> {
     /// The number of the next row; with its sign it is no number of a pass.
     pub(super) fn next_number(&self) -> String {
@@ -52,8 +55,8 @@ impl Placing<'_> {
         });
     }
 
-    /// The upper left corner of a free area for rows: at the upper or lower border from the right to the left,
-    /// then anywhere else.
+    /// The upper left corner of a free area for rows, from the right to the left: below the picture and its annotations,
+    /// at the upper or lower border, then anywhere else.
     pub(super) fn free_block(&self, rows: &[(String, usize)]) -> Option<Pixel> {
         let width = rows.iter().map(|(text, _)| size_of(text)[0]).fold(0.0, f64::max);
         let height = LABEL_HEIGHT * rows.len() as f64;
@@ -62,7 +65,10 @@ impl Placing<'_> {
         let (columns, lines) = (steps(across[1] - across[0] - width), steps(down[1] - down[0] - height));
         let row =
             |y: f64| (0..=columns).map(move |step| Pixel::new(across[1] - width - ROW_STEP * step as f64, y));
-        let borders = [down[0], down[1] - height].into_iter();
+        let drawn = [self.placed.down(), self.occupied.down()].into_iter().flatten();
+        let below = drawn.map(|[_, lowest]| lowest + BELOW).fold(down[0], f64::max);
+        let below = Some(below).filter(|below| *below <= down[1] - height).into_iter();
+        let borders = below.chain([down[0], down[1] - height]);
         let others = (1..lines).map(|step| down[1] - height - ROW_STEP * step as f64);
         borders
             .chain(others)
