@@ -156,6 +156,15 @@ test('an exercise gives its message, and the program opens in the playground wit
   await expect(problemsButton(playground)).toContainText(/\d/);
 });
 
+test('figures are printed with legible letters', async ({ page }) => {
+  await page.emulateMedia({ media: 'print' });
+  await page.goto('./manual/en/g71-g72.html');
+  const figure = page.locator('figure img').first();
+  await figure.scrollIntoViewIfNeeded();
+  // 140 of 170 mm, in CSS pixels. On the screen the letters are 12 pixels high at 736 pixels.
+  expect((await figure.boundingBox())?.width).toBeGreaterThan((140 / 25.4) * 96);
+});
+
 test('a page of the manual of the published element has its own copy of the element', async ({ page }) => {
   await page.goto('./embed/index.html#program=G00%20X50%20Z2');
   const lessons = await opened(page, () => choose(page, 'help', 'Manual'));
