@@ -82,6 +82,8 @@ for (const { name, width, height, by, ratio, whileTyping } of WINDOWS) {
         // While the user types on a phone, only the drawing and the text are shown.
         await drawing(page).focus();
         await expect(problemsButton(page).or(tab(page, 'problems')).first()).toBeVisible();
+        // A narrow element gets its tabs in the frame after the other parts are shown.
+        await page.evaluate(() => new Promise((shown) => requestAnimationFrame(() => requestAnimationFrame(shown))));
         if ((await page.getByRole('tabpanel').count()) > 0) {
           for (const which of ['problems', 'explain', 'program'] as const) {
             await tab(page, which).click();
