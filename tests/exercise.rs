@@ -157,7 +157,7 @@ fn verdicts_are_in_three_languages() {
     let texts = |part: &str, cause: &str, check: &str| (part.to_owned(), cause.to_owned(), check.to_owned());
     assert_eq!(
         said(Language::Chinese),
-        texts("Z-15：Ø13，应为 Ø26 ±0.05", "X13 写成了半径，而 X 是直径：应为 X26", "无报警")
+        texts("Z-15：Ø13，应为 Ø26 ±0.05", "X13 写成了半径，而 X 是直径：应为 X26", "运行无报警")
     );
     assert_eq!(
         said(Language::Russian),

@@ -113,8 +113,14 @@ pub enum Finding {
     Message(Box<Diagnostic>),
     /// A value in the unit of the check.
     Value(f64),
-    /// The value is not known, such as a feed before the first F.
+    /// The value is not known.
     Unknown,
+    /// No word with this address is in force: F or S.
+    NoWord(char),
+    /// The program does not cut.
+    NoCut,
+    /// The learner has not answered.
+    NoAnswer,
     /// A place: X as a diameter, and Z, mm.
     Place([f64; 2]),
 }
@@ -205,7 +211,7 @@ impl Checker<'_> {
     fn depth(&self, range: Range) -> Checked {
         let found = deepest(self.answer);
         let passed = found.is_some_and(|found| range.contains(found.depth));
-        let finding = found.map_or(Finding::Unknown, |found| Finding::Value(found.depth));
+        let finding = found.map_or(Finding::NoCut, |found| Finding::Value(found.depth));
         let span = found.map(|found| self.answer.analysis.motions.span(found.motion));
         Checked::new(Check::Depth(range), passed, finding, span.filter(|_| !passed))
     }
@@ -215,14 +221,16 @@ impl Checker<'_> {
         let motions = &self.answer.analysis.motions;
         let mut last = None;
         for index in (0..motions.len()).filter(|&index| is_cut(motions.kind(index))) {
-            let found = value(&motions.get(index));
+            let motion = motions.get(index);
+            let found = value(&motion);
             if !found.is_some_and(|found| range.contains(found)) {
-                let finding = found.map_or(Finding::Unknown, Finding::Value);
+                let missing = if self.speed(&motion).is_none() { 'S' } else { 'F' };
+                let finding = found.map_or(Finding::NoWord(missing), Finding::Value);
                 return Checked::new(check, false, finding, Some(motions.span(index)));
             }
             last = found;
         }
-        Checked::new(check, last.is_some(), last.map_or(Finding::Unknown, Finding::Value), None)
+        Checked::new(check, last.is_some(), last.map_or(Finding::NoCut, Finding::Value), None)
     }
 
     /// Feed of a cut, mm/rev.
@@ -298,7 +306,7 @@ impl Checker<'_> {
             let end = self.end_of_line(line);
             let is_near = |own: [f64; 2], end: [f64; 2]| (own[0] - end[0]).abs().max((own[1] - end[1]).abs());
             let passed = own.zip(end).is_some_and(|(own, end)| is_near(own, end) <= SAME_PLACE);
-            let finding = own.map_or(Finding::Unknown, Finding::Place);
+            let finding = own.map_or(Finding::NoAnswer, Finding::Place);
             Checked::new(Check::Prediction(line), passed, finding, None)
         };
         lines.iter().zip(predicted(given, lines)).map(compare).collect()

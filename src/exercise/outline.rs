@@ -9,6 +9,7 @@
 //! Z-60 thread 2 root 37.4 ±0.1
 //! Z-80 free                    not measured
 //! flats 6 width 24 ±0.1 Z-10   a hexagon that is milled down to Z-10; no edge
+//! X25 ±0.1 (Z-30)              a comment
 //! ```
 //!
 //! In: the lines. Out: the edges, or the first fault with the index of its line.
@@ -30,8 +31,9 @@ pub(super) fn read(
     lines: &[&str],
     general: Tolerance,
 ) -> Result<(Vec<Edge>, Option<Flats>), (usize, TargetFault)> {
+    let lines: Vec<(usize, String)> = lines.iter().map(|line| without_comments(line)).enumerate().collect();
     let lines: Vec<(usize, &str)> =
-        lines.iter().copied().enumerate().filter(|(_, line)| !line.trim().is_empty()).collect();
+        lines.iter().map(|(at, line)| (*at, line.trim())).filter(|(_, line)| !line.is_empty()).collect();
     if lines.len() > TargetFault::MOST_LINES {
         return Err((lines[TargetFault::MOST_LINES].0, TargetFault::TooMany { lines: lines.len() }));
     }
@@ -40,7 +42,7 @@ pub(super) fn read(
     let mut place = first_point(first).map_err(|fault| (at, fault))?;
     let (mut edges, mut flats) = (Vec::new(), None);
     for (at, line) in rest {
-        if let Some(words) = line.trim_start().strip_prefix("flats ") {
+        if let Some(words) = line.strip_prefix("flats ") {
             let words: Vec<&str> = words.split_whitespace().collect();
             flats = Some(Flats::read(&words).map_err(|fault| (at, fault))?);
             continue;
@@ -51,6 +53,13 @@ pub(super) fn read(
         edges.push(edge);
     }
     Ok((edges, flats))
+}
+
+/// The line without what is in parentheses.
+fn without_comments(line: &str) -> String {
+    let mut pieces = line.split('(');
+    let first = pieces.next().unwrap_or_default().to_owned();
+    first + &pieces.map(|piece| piece.split_once(')').map_or("", |(_, after)| after)).collect::<String>()
 }
 
 fn first_point(line: &str) -> Result<Point, TargetFault> {
@@ -193,8 +202,8 @@ mod tests {
 
     #[test]
     fn lines_become_edges() {
-        let text = "X0 Z0\nX25 ±0.2\n\nZ-20 +0 -0.05 width ±0.3\nX30 Z-30 angle ±0.2\nG03 X40 Z-35 R5\n\
-                    Z-60 ±0.04 thread 2 root 37.4 ±0.1\nZ-80 free\nflats 6 width 24 ±0.1 Z-10";
+        let text = "X0 Z0\nX25 ±0.2 (Z0)\n(Ø25)\nZ-20 +0 -0.05 width ±0.3\nX30 Z-30 angle ±0.2\nG03 X40 Z-35 R5\n\
+                    Z-60 ±0.04 (Ø40) thread 2 root 37.4 ±0.1\nZ-80 free\nflats 6 width 24 ±0.1 Z-10";
         let lines: Vec<&str> = text.lines().collect();
         let (edges, flats) = read(&lines, Tolerance::both(0.1)).expect("edges");
         let sizes: Vec<Size> = edges.iter().map(Edge::size).collect();

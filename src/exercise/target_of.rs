@@ -1,7 +1,7 @@
 //! Writes the outline of a finished part as the target of an exercise.
 //!
 //! In: a run whose part can be shown. Out: the lines of the block `target`, with sizes as the program states them and
-//! default tolerances. The rest of the bar is not part of it, and threads are notes on their cylinders.
+//! default tolerances, each followed by the size it belongs to, in parentheses. The rest of the bar is not part of it, and threads are notes on their cylinders.
 
 use super::fault::TargetFault;
 use super::outline;
@@ -156,10 +156,11 @@ impl Outline {
         words.extend(((to.x - from.x).abs() > SAME_PLACE).then(|| format!("X{}", shown_x(to))));
         words.extend(((to.z - from.z).abs() > SAME_PLACE).then(|| format!("Z{}", shown(to.z))));
         match feature.shape {
-            Shape::Arc { radius } => words.extend([format!("R{}", shown(radius)), RADIUS.to_string()]),
-            Shape::Face => words.push(LENGTH.to_string()),
+            Shape::Arc { radius } => words.push(format!("R{0} {RADIUS} (R{0})", shown(radius))),
+            Shape::Face => words.push(format!("{LENGTH} (Z{})", shown(to.z))),
             Shape::Cylinder if (to.x - self.outside).abs() <= SAME_PLACE => words.push("free".to_owned()),
-            _ => words.push(DIAMETER.to_string()),
+            Shape::Cylinder => words.push(format!("{DIAMETER} (Ø{})", shown_x(to))),
+            _ => words.push(format!("{DIAMETER} (Ø{}, Ø{})", shown_x(from), shown_x(to))),
         }
         words.extend(self.is_groove(index).then(|| format!("width {LENGTH}")));
         words.extend(threads.iter().find_map(|thread| note(thread, feature)));

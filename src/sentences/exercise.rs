@@ -247,8 +247,12 @@ pub(super) fn among(language: Language, [english, chinese, russian]: [String; 3]
 pub fn describe_check(check: &Check, language: Language) -> String {
     let with = |texts: [&'static str; 3], value: String| language.among(texts).replace("{}", &value);
     match check {
-        Check::Alarms => language.among(["no alarm", "无报警", "без аварийных сигналов"]).to_owned(),
-        Check::Collisions => language.among(["no collision", "无碰撞", "без столкновений"]).to_owned(),
+        Check::Alarms => {
+            language.among(["runs without an alarm", "运行无报警", "без аварийных сигналов"]).to_owned()
+        }
+        Check::Collisions => {
+            language.among(["runs without a collision", "运行无碰撞", "без столкновений"]).to_owned()
+        }
         Check::Required(code) => with(["uses {}", "使用 {}", "используется {}"], code.clone()),
         Check::Forbidden(code) => with(["does not use {}", "不使用 {}", "не используется {}"], code.clone()),
         Check::Depth(own) => {
@@ -300,6 +304,18 @@ pub fn describe_finding(checked: &Checked, language: Language) -> String {
         Finding::Message(found) => found.sentence(language).message,
         Finding::Value(value) => short(*value),
         Finding::Unknown => label(Label::Unknown, language).to_owned(),
+        Finding::NoWord(address) => among(
+            language,
+            [
+                format!("no {address} is in force"),
+                format!("没有有效的 {address}"),
+                format!("{address} не задано"),
+            ],
+        ),
+        Finding::NoCut => {
+            language.among(["the program does not cut", "程序没有切削", "программа не режет"]).to_owned()
+        }
+        Finding::NoAnswer => language.among(["no answer", "未回答", "нет ответа"]).to_owned(),
         Finding::Place(at) => point(*at),
     }
 }
