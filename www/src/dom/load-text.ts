@@ -6,11 +6,14 @@ import { withTimeout } from './timeout';
 
 const TIMEOUT_MS = 20_000;
 
-/** The text of a file; undefined if it cannot be loaded in time. */
+const isPage = ({ headers }: Response): boolean => headers.get('content-type')?.startsWith('text/html') === true;
+
+/** The text of a file; undefined if it cannot be loaded in time. Some servers answer a request for a missing file with a page. */
 export async function loadText(address: string): Promise<string | undefined> {
   try {
     const response = await withTimeout(fetch(new URL(address, document.baseURI)), TIMEOUT_MS);
-    return response === 'timeout' || !response.ok ? undefined : await response.text();
+    if (response === 'timeout' || !response.ok || isPage(response)) return undefined;
+    return await response.text();
   } catch {
     return undefined;
   }

@@ -59,6 +59,12 @@ const ACTIONS: readonly Action[] = [
     load: async () => (await importWithRetry(() => import('./make-exercise-dialog'))).makeExercise,
   },
   {
+    id: 'answers',
+    menu: 'share',
+    label: words({ en: 'Answers of a class', zh: '全班的答案', ru: 'Ответы группы' }),
+    load: async () => (await importWithRetry(() => import('./answers-dialog'))).openAnswers,
+  },
+  {
     id: 'compare',
     menu: 'more',
     label: words({ en: 'Compare with another version', zh: '与其他版本比较', ru: 'Сравнить с другой версией' }),

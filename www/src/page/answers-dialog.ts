@@ -16,9 +16,11 @@ import { EMPTY_SHARED, makeLink, NAME_LIMIT } from '../files/shared-link';
 import {
   AnswerGrader,
   HEAD_KEYS,
+  isSameAnswer,
   MAX_ANSWERS,
   readFiles,
   readLinks,
+  withSame,
   type AnswerRow,
   type ChosenExercise,
   type HeadKey,
@@ -77,18 +79,22 @@ class AnswersDialog {
       ),
       this.#fields.links.label,
       this.#files,
-      this.#status,
-      this.#fields.filter.label,
+      make('div', { className: 'answers-found' }, this.#status, this.#fields.filter.label),
       this.#table,
     ],
     [this.#clear, this.#csv, this.#print, this.#openFiles, this.#check],
   );
   #host: PageHost | undefined;
-  #rows: readonly AnswerRow[] = [];
+  /** As they were read. */
+  #answers: readonly AnswerRow[] = [];
+  readonly #graded = new Map<AnswerRow, AnswerRow>();
+  /** The removed answers, until there are new ones. */
+  #cleared: readonly AnswerRow[] = [];
+  #shownLanguage: Language | undefined;
   #grader: AnswerGrader | undefined;
   #ownText: string | undefined;
   #sortedBy: { readonly key: HeadKey; readonly isDescending: boolean } | undefined;
-  /** Number of requests; the rows of an earlier one are dropped. */
+  /** Number of requests; an earlier one ends. */
   #requestCount = 0;
 
   constructor() {
@@ -96,7 +102,7 @@ class AnswersDialog {
     this.#check.addEventListener('click', () => void this.#addLinks());
     this.#openFiles.addEventListener('click', () => this.#files.click());
     this.#openOwn.addEventListener('click', () => this.#ownExercise.click());
-    this.#clear.addEventListener('click', () => this.#removeRows());
+    this.#clear.addEventListener('click', () => this.#clearOrUndo());
     this.#filter.addEventListener('input', () => this.#render());
     this.#files.addEventListener('change', () => {
       const files = [...(this.#files.files ?? [])];
@@ -104,7 +110,10 @@ class AnswersDialog {
       void this.#add(() => readFiles(files));
     });
     this.#ownExercise.addEventListener('change', () => void this.#readOwnExercise());
-    this.#exercise.addEventListener('change', () => void this.#packExercise());
+    this.#exercise.addEventListener('change', () => {
+      void this.#packExercise();
+      void this.#gradeAgain();
+    });
     acceptFiles(this.#dialog.element, {
       hint: () => ANSWERS_WORDS[this.#language].dropHere,
       onDrop: (...files) => void this.#add(() => readFiles(files)),
@@ -118,9 +127,10 @@ class AnswersDialog {
   async open(host: PageHost): Promise<void> {
     this.#host = host;
     const { language } = host;
+    const isOtherLanguage = this.#shownLanguage !== undefined && language !== this.#shownLanguage;
+    this.#shownLanguage = language;
     const texts = ANSWERS_WORDS[language];
     this.#dialog.setTexts(texts.title, COMMON[language].close);
-    this.#dialog.about = texts.about;
     for (const [part, text] of [
       [this.#fields.exercise.caption, texts.exercise],
       [this.#fields.links.caption, texts.links],
@@ -128,7 +138,6 @@ class AnswersDialog {
       [this.#openOwn, texts.openExercise],
       [this.#scorm, texts.scorm],
       [this.#openFiles, texts.openFiles],
-      [this.#clear, texts.clear],
       [this.#csv, texts.csv],
       [this.#print, texts.print],
       [this.#check, texts.check],
@@ -140,6 +149,7 @@ class AnswersDialog {
     this.#dialog.show();
     this.#links.focus();
     await this.#fillExercises(language);
+    if (isOtherLanguage) await this.#gradeAgain();
   }
 
   async #fillExercises(language: Language, chosen = this.#exercise.value): Promise<void> {
@@ -161,6 +171,7 @@ class AnswersDialog {
     if (file === undefined) return;
     this.#ownText = await file.text().catch(() => undefined);
     await this.#fillExercises(this.#language, this.#ownText === undefined ? this.#exercise.value : OWN_FILE);
+    await this.#gradeAgain();
   }
 
   /** Makes the package of the chosen exercise for a learning platform. */
@@ -192,41 +203,62 @@ class AnswersDialog {
   async #addLinks(): Promise<void> {
     const text = this.#links.value;
     if (text.trim() === '') return;
-    const isAdded = await this.#add(() => readLinks(text));
-    if (isAdded) this.#links.value = '';
+    const isRead = await this.#add(() => readLinks(text));
+    if (isRead) this.#links.value = '';
   }
 
-  /** Adds answers to the table, grading one after the other. Returns whether the table has new rows. */
+  /** Adds answers, except those that the table has, and grades them. Returns whether there were any. */
   async #add(read: () => Promise<AnswerRow[]>): Promise<boolean> {
+    const texts = ANSWERS_WORDS[this.#language];
+    const found = (await read().catch(() => undefined)) ?? [];
+    const isNew = (row: AnswerRow, at: number): boolean =>
+      ![...this.#answers, ...found.slice(0, at)].some((other) => isSameAnswer(row, other));
+    const added = found.filter(isNew);
+    const fitting = added.slice(0, MAX_ANSWERS - this.#answers.length);
+    if (fitting.length === 0) {
+      const isFull = added.length > 0;
+      this.#status.textContent = isFull ? texts.tooMany(MAX_ANSWERS) : found.length > 0 ? texts.known : texts.none;
+      return found.length > 0 && !isFull;
+    }
+    this.#cleared = [];
+    this.#answers = [...this.#answers, ...fitting];
+    await this.#grade();
+    if (fitting.length < added.length) this.#status.append(` ${texts.tooMany(MAX_ANSWERS)}`);
+    return true;
+  }
+
+  /** Grades the answers that have no row, one after the other. */
+  async #grade(): Promise<void> {
     const host = this.#host;
-    if (host === undefined) return false;
+    if (host === undefined) return;
     const request = ++this.#requestCount;
     const texts = ANSWERS_WORDS[this.#language];
-    const isCurrent = (): boolean => request === this.#requestCount;
     const chosen = await this.#chosenExercise();
-    const added = await read().catch(() => undefined);
-    if (!isCurrent()) return false;
-    const before = this.#rows;
-    const rows = (added ?? []).slice(0, MAX_ANSWERS - before.length);
-    const isTooMany = rows.length < (added?.length ?? 0);
-    if (rows.length === 0) {
-      this.#status.textContent = isTooMany ? texts.tooMany(MAX_ANSWERS) : texts.none;
-      return false;
-    }
     this.#grader ??= new AnswerGrader((text, answer) => host.playground.ask('grade-answer', { text, answer }));
-    const done: AnswerRow[] = [];
-    for (const row of rows) {
-      this.#status.textContent = texts.checking(done.length + 1, rows.length);
-      done.push(await withLink(await this.#grader.grade(row, chosen)));
-      if (!isCurrent()) return false;
-      this.#rows = [...before, ...done];
+    const waiting = this.#answers.filter((answer) => !this.#graded.has(answer));
+    for (const [done, answer] of waiting.entries()) {
+      if (request !== this.#requestCount) return;
+      this.#status.textContent = texts.checking(done + 1, waiting.length);
+      const row = await withLink(await this.#grader.grade(answer, chosen));
+      if (request !== this.#requestCount) return;
+      this.#graded.set(answer, row);
       this.#renderTable();
     }
+    if (request !== this.#requestCount) return;
     this.#render();
     const passed = this.#rows.filter(({ graded }) => graded?.report.passed === true).length;
-    const summary = texts.summary(passed, this.#rows.length);
-    this.#status.textContent = isTooMany ? `${summary} ${texts.tooMany(MAX_ANSWERS)}` : summary;
-    return true;
+    this.#status.textContent = texts.summary(passed, this.#rows.length);
+  }
+
+  /** The rows of the graded answers. */
+  get #rows(): readonly AnswerRow[] {
+    return withSame(this.#answers.flatMap((answer) => this.#graded.get(answer) ?? []));
+  }
+
+  /** Grades all answers by another exercise, or in another language. */
+  async #gradeAgain(): Promise<void> {
+    this.#graded.clear();
+    if (this.#answers.length > 0) await this.#grade();
   }
 
   /** The exercise of the select element. */
@@ -238,12 +270,14 @@ class AnswersDialog {
     return text === undefined ? undefined : { text, isForAll };
   }
 
-  #removeRows(): void {
+  /** Removes the answers, or brings the removed ones back. */
+  #clearOrUndo(): void {
     this.#requestCount++;
-    this.#rows = [];
-    this.#grader = undefined;
+    const { length } = this.#answers;
+    [this.#answers, this.#cleared] = length === 0 ? [this.#cleared, []] : [[], this.#answers];
     this.#status.textContent = '';
     this.#render();
+    if (this.#answers.length > 0) void this.#grade();
   }
 
   #sortBy(key: HeadKey): void {
@@ -256,7 +290,9 @@ class AnswersDialog {
   get #shownRows(): readonly AnswerRow[] {
     const texts = ANSWERS_WORDS[this.#language];
     const wanted = this.#filter.value.trim().toLocaleLowerCase();
-    const found = this.#rows.filter((row) => cellsOf(row, texts).join(' ').toLocaleLowerCase().includes(wanted));
+    // The names of others in the note do not count.
+    const searched = (row: AnswerRow): string => cellsOf(alone(row), texts).join(' ').toLocaleLowerCase();
+    const found = this.#rows.filter((row) => searched(row).includes(wanted));
     const sorted = this.#sortedBy;
     if (sorted === undefined) return found;
     const collator = new Intl.Collator(this.#language, { numeric: true });
@@ -267,9 +303,14 @@ class AnswersDialog {
 
   /** Renders the shown rows. */
   #renderTable(): readonly AnswerRow[] {
-    const isEmpty = this.#rows.length === 0;
-    for (const part of [this.#table, this.#csv, this.#print, this.#clear, this.#fields.filter.label])
-      part.hidden = isEmpty;
+    const isEmpty = this.#answers.length === 0;
+    for (const part of [this.#table, this.#csv, this.#print, this.#fields.filter.label]) part.hidden = isEmpty;
+    const texts = ANSWERS_WORDS[this.#language];
+    this.#clear.hidden = isEmpty && this.#cleared.length === 0;
+    this.#clear.textContent = isEmpty ? texts.undoClear : texts.clear;
+    // The table needs the room.
+    this.#links.rows = isEmpty ? 4 : 1;
+    this.#dialog.about = isEmpty ? texts.about : '';
     this.#head.replaceChildren(...HEAD_KEYS.map((key) => this.#headCell(key)));
     const rows = this.#shownRows;
     this.#body.replaceChildren(...rows.map((row) => this.#tableRow(row)));
@@ -313,6 +354,11 @@ class AnswersDialog {
       ...cells.map((text) => make('td', {}, text)),
     );
   }
+}
+
+/** A row without the names of answers with the same text. */
+function alone(row: AnswerRow): AnswerRow {
+  return row.graded === undefined ? row : { ...row, graded: { ...row.graded, sameAs: [] } };
 }
 
 /** Adds the link that opens a graded answer with its exercise. */

@@ -5,20 +5,27 @@
 import { HEAD_KEYS, type AnswerRow, type HeadKey } from './answers';
 import type { AnswersWords } from './answers-words';
 
+/** Most names of other answers in a note; there may be many of them. */
+const MAX_NAMES = 1;
+
 /** The texts of the cells of a row. */
 export function cellsOf(row: AnswerRow, texts: AnswersWords): string[] {
   const name = row.name === '' ? texts.noName : row.name;
   const { graded, fault } = row;
   if (graded === undefined)
-    return [name, '', '', '', '', '', '', '', '', fault === undefined ? '' : texts.fault(fault)];
-  const { report, title, hints } = graded;
+    return [name, ...HEAD_KEYS.slice(2).map(() => ''), fault === undefined ? '' : texts.fault(fault)];
+  const { report, title, hints, sameAs } = graded;
+  const others = sameAs.map((name) => (name === '' ? texts.noName : name));
+  const shown = others.length > MAX_NAMES ? [...others.slice(0, MAX_NAMES), '…'] : others;
   const notes = [
-    ...(graded.sameAs === undefined ? [] : [texts.sameAs(graded.sameAs === '' ? texts.noName : graded.sameAs)]),
+    ...(others.length === 0 ? [] : [texts.sameAs(shown)]),
+    ...(graded.isFromLink ? [texts.fromLink] : []),
     ...(graded.isOtherVersion ? [texts.otherVersion] : []),
   ];
   return [
     name,
     title,
+    report.passed ? texts.passed : texts.notPassed,
     String(report.points),
     partOf(row, texts),
     report.checks

@@ -21,24 +21,30 @@ export const ANSWERS_WORDS = words({
     dropHere: 'Drop the programs here',
     openFiles: 'Open program files…',
     clear: 'Clear',
+    undoClear: 'Undo',
     csv: 'CSV',
     print: 'Page to print',
     check: 'Check the links',
     none: 'There is no link in this text.',
+    known: 'These answers are in the table already.',
     tooMany: (most: number) => `At most ${most} answers fit into the table.`,
     checking: (next: number, all: number) => `Checking ${next} of ${all}…`,
     summary: (passed: number, all: number) => `${passed} of ${all} passed.`,
     noName: 'no name',
     line: (line: number) => `line ${line}`,
     problems: (errors: number, warnings: number) => `${errors} / ${warnings}`,
-    sameAs: (name: string) => `same text as ${name}`,
+    passed: 'passed',
+    notPassed: 'not passed',
+    sameAs: (names: readonly string[]) => `same text as ${names.join(', ')}`,
+    fromLink: 'exercise as in the link: open its file to grade by it',
     otherVersion: 'another version of the exercise',
     head: {
       name: 'Name',
       exercise: 'Exercise',
+      result: 'Result',
       points: 'Points',
       part: 'Part',
-      failed: 'Not passed',
+      failed: 'Failed checks',
       problems: 'Errors / warnings',
       time: 'Time',
       codes: 'Codes',
@@ -54,7 +60,7 @@ export const ANSWERS_WORDS = words({
         case 'no-exercise':
           return 'The answer names no exercise: choose one above.';
         case 'not-loaded':
-          return `The exercise ${fault.id} could not be loaded.`;
+          return `The exercise ${fault.id} could not be loaded: open its file above.`;
         case 'faulty-exercise':
           return `The exercise file has a fault in line ${fault.line}: ${fault.message}`;
         case 'failed':
@@ -76,28 +82,34 @@ export const ANSWERS_WORDS = words({
     dropHere: '将程序文件拖放到此处',
     openFiles: '打开程序文件…',
     clear: '清空',
+    undoClear: '撤销',
     csv: 'CSV',
-    print: '打印页',
+    print: '打印用页面',
     check: '检查链接',
     none: '这段文字中没有链接。',
+    known: '这些答案已在表中。',
     tooMany: (most) => `表中最多容纳 ${most} 份答案。`,
     checking: (next, all) => `正在检查 ${next}/${all}…`,
     summary: (passed, all) => `${all} 份中 ${passed} 份通过。`,
     noName: '无姓名',
     line: (line) => `第 ${line} 行`,
     problems: (errors, warnings) => `${errors} / ${warnings}`,
-    sameAs: (name) => `与${name}的文本相同`,
+    passed: '通过',
+    notPassed: '未通过',
+    sameAs: (names) => `与“${names.join('、')}”的文本相同`,
+    fromLink: '按链接中的练习评判；如需按原文件评判，请打开练习文件',
     otherVersion: '练习版本不同',
     head: {
       name: '姓名',
       exercise: '练习',
+      result: '结果',
       points: '分数',
       part: '零件',
-      failed: '未通过',
+      failed: '未通过的检查',
       problems: '错误 / 警告',
       time: '时间',
       codes: '代码',
-      hints: '提示',
+      hints: '提示次数',
       note: '备注',
     },
     fault: (fault) => {
@@ -109,7 +121,7 @@ export const ANSWERS_WORDS = words({
         case 'no-exercise':
           return '答案未注明练习，请在上面选择。';
         case 'not-loaded':
-          return `练习 ${fault.id} 加载失败。`;
+          return `练习“${fault.id}”加载失败：请在上面打开练习文件。`;
         case 'faulty-exercise':
           return `练习文件第 ${fault.line} 行有错误：${fault.message}`;
         case 'failed':
@@ -132,24 +144,30 @@ export const ANSWERS_WORDS = words({
     dropHere: 'Отпустите файлы с программами здесь',
     openFiles: 'Открыть файлы программ…',
     clear: 'Очистить',
+    undoClear: 'Вернуть',
     csv: 'CSV',
     print: 'Страница для печати',
     check: 'Проверить ссылки',
     none: 'В этом тексте нет ссылок.',
+    known: 'Эти ответы уже есть в таблице.',
     tooMany: (most) => `В таблице помещается не более ${most} ответов.`,
     checking: (next, all) => `Проверка ${next} из ${all}…`,
     summary: (passed, all) => `Выполнено ${passed} из ${all}.`,
     noName: 'без имени',
     line: (line) => `строка ${line}`,
     problems: (errors, warnings) => `${errors} / ${warnings}`,
-    sameAs: (name) => `тот же текст, что у «${name}»`,
+    passed: 'выполнено',
+    notPassed: 'не выполнено',
+    sameAs: (names) => `тот же текст: ${names.map((name) => (name === '…' ? name : `«${name}»`)).join(', ')}`,
+    fromLink: 'упражнение взято из ссылки; чтобы проверить по файлу, откройте его',
     otherVersion: 'другая версия упражнения',
     head: {
       name: 'Имя',
       exercise: 'Упражнение',
+      result: 'Итог',
       points: 'Баллы',
       part: 'Деталь',
-      failed: 'Не выполнено',
+      failed: 'Невыполненные проверки',
       problems: 'Ошибки / предупреждения',
       time: 'Время',
       codes: 'Коды',
@@ -165,7 +183,7 @@ export const ANSWERS_WORDS = words({
         case 'no-exercise':
           return 'В ответе не указано упражнение: выберите его выше.';
         case 'not-loaded':
-          return `Упражнение ${fault.id} не удалось загрузить.`;
+          return `Упражнение ${fault.id} не удалось загрузить: откройте его файл выше.`;
         case 'faulty-exercise':
           return `В файле упражнения ошибка в строке ${fault.line}: ${fault.message}`;
         case 'failed':

@@ -16,12 +16,15 @@ export interface Answer {
   readonly text: string;
   /** The exercise that the link names. */
   readonly exercise: AnsweredExercise | null;
+  /** The text of that exercise, if it is not one of the site. */
+  readonly exerciseText: string | null;
 }
 
 /** The columns of the table, in their order. */
 export const HEAD_KEYS = [
   'name',
   'exercise',
+  'result',
   'points',
   'part',
   'failed',
@@ -61,8 +64,12 @@ export interface GradedRow {
   readonly hints: number | undefined;
   /** The learner had another version of the exercise. */
   readonly isOtherVersion: boolean;
-  /** The name on an earlier answer with the same blocks. */
-  readonly sameAs: string | undefined;
+  /** The text of the exercise is that of the link, which a learner can change. */
+  readonly isFromLink: boolean;
+  /** Equal for answers with the same blocks to the same exercise. */
+  readonly key: string;
+  /** The names on the other answers with this key. */
+  readonly sameAs: readonly string[];
   /** The text of the exercise, if it is not one of the site. */
   readonly exerciseText: string | null;
 }
@@ -83,8 +90,9 @@ export async function readLinks(text: string): Promise<AnswerRow[]> {
       const found = await parseAddress(link.slice(link.indexOf('#')).trim());
       if (found.kind !== 'linked') return { name: '', fault: { kind: 'link' } };
       const { linked } = found;
+      const { text, exercise, exerciseText } = linked;
       const name = cleanName(linked.name) ?? '';
-      return { name, answer: { name, text: linked.text, exercise: linked.exercise } };
+      return { name, answer: { name, text, exercise, exerciseText } };
     }),
   );
 }
@@ -98,26 +106,40 @@ export async function readFiles(files: readonly File[]): Promise<AnswerRow[]> {
     const { name } = file;
     rows.push(
       opened.kind === 'text'
-        ? { name, answer: { name, text: opened.program.pieces.join(''), exercise: null } }
+        ? { name, answer: { name, text: opened.program.pieces.join(''), exercise: null, exerciseText: null } }
         : { name, fault: { kind: 'file' } },
     );
   }
   return rows;
 }
 
-/** Grades answers to their exercises, and finds identical ones. */
+/** Whether two answers are the same one, read twice. */
+export function isSameAnswer(a: AnswerRow, b: AnswerRow): boolean {
+  const key = ({ name, answer }: AnswerRow): string => JSON.stringify([name, answer?.text, answer?.exercise]);
+  return a.answer !== undefined && key(a) === key(b);
+}
+
+/** Adds the names on the other answers with the same blocks. */
+export function withSame(rows: readonly AnswerRow[]): AnswerRow[] {
+  return rows.map((row) => {
+    const { graded } = row;
+    if (graded === undefined) return row;
+    const others = rows.filter((other) => other !== row && other.graded?.key === graded.key);
+    return { ...row, graded: { ...graded, sameAs: others.map(({ name }) => name) } };
+  });
+}
+
+/** Grades answers to their exercises. */
 export class AnswerGrader {
   readonly #grade: (exercise: string, answer: string) => Promise<AnswerReport | undefined>;
   readonly #texts = new Map<string, Promise<string | undefined>>();
-  /** The name of the first answer with each exercise and blocks. */
-  readonly #firstWith = new Map<string, string>();
 
   constructor(grade: (exercise: string, answer: string) => Promise<AnswerReport | undefined>) {
     this.#grade = grade;
   }
 
   async grade(row: AnswerRow, chosen: ChosenExercise | undefined): Promise<AnswerRow> {
-    const { name, answer } = row;
+    const { answer } = row;
     if (answer === undefined) return row;
     const exercise = await this.#exerciseOf(answer, chosen);
     if (typeof exercise !== 'string') return { ...row, fault: exercise };
@@ -126,20 +148,30 @@ export class AnswerGrader {
     if (found.kind === 'fault')
       return { ...row, fault: { kind: 'faulty-exercise', line: found.line, message: found.message } };
     const { id, version, title, report, blocks } = found;
-    const key = `${id} ${blocks}`;
-    const first = this.#firstWith.get(key);
-    if (first === undefined) this.#firstWith.set(key, name);
     const own = answer.exercise;
-    const isOtherVersion = own !== null && (own.id !== id || own.version !== version);
-    const exerciseText = chosen?.isForAll === true ? exercise : null;
-    const hints = own?.hints;
-    return { ...row, graded: { id, version, title, report, hints, isOtherVersion, sameAs: first, exerciseText } };
+    const isFromLink = chosen?.isForAll !== true && own !== null && answer.exerciseText !== null;
+    return {
+      ...row,
+      graded: {
+        id,
+        version,
+        title,
+        report,
+        hints: own?.hints,
+        isOtherVersion: own !== null && (own.id !== id || own.version !== version),
+        isFromLink,
+        key: `${id} ${blocks}`,
+        sameAs: [],
+        exerciseText: isFromLink || chosen?.isForAll === true ? exercise : null,
+      },
+    };
   }
 
   /** The text of the exercise of an answer. */
   async #exerciseOf(answer: Answer, chosen: ChosenExercise | undefined): Promise<string | AnswerFault> {
     const id = answer.exercise?.id;
     if (chosen?.isForAll === true || id === undefined) return chosen?.text ?? { kind: 'no-exercise' };
+    if (answer.exerciseText !== null) return answer.exerciseText;
     const loading = this.#texts.get(id) ?? loadExercise(id);
     this.#texts.set(id, loading);
     return (await loading) ?? { kind: 'not-loaded', id };

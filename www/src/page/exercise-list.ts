@@ -20,9 +20,7 @@ export async function loadExercises(): Promise<readonly ListedExercise[] | undef
 
 /** The text of the file of an exercise; undefined if it cannot be loaded. */
 export async function loadExercise(id: string): Promise<string | undefined> {
-  const text = /^[a-z0-9-]{1,64}$/.test(id) ? await loadText(exerciseAddress(id)) : undefined;
-  // Some servers answer a request for a missing file with a page.
-  return text?.startsWith('---') === true ? text : undefined;
+  return /^[a-z0-9-]{1,64}$/.test(id) ? loadText(exerciseAddress(id)) : undefined;
 }
 
 export function titleOf({ id, title }: ListedExercise, language: Language): string {

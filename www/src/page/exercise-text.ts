@@ -26,7 +26,7 @@ export function exerciseText(fields: ExerciseFields): string {
   const { language, title, task, hints, start, blocks } = fields;
   const codes = (text: string): string =>
     text
-      .split(/[\s,;]+/)
+      .split(/[\s,;，；、]+/)
       .filter(Boolean)
       .join(', ')
       .toUpperCase();
@@ -54,7 +54,7 @@ export function exerciseText(fields: ExerciseFields): string {
     .join('\n\n');
 }
 
-/** The letters a-z and the digits of a title; the id of an exercise needs at least one. */
+/** The letters a-z and the digits of a title. A title in another script has a checksum, so that ids differ. */
 function idOf(title: string): string {
   const id = title
     .toLowerCase()
@@ -62,7 +62,9 @@ function idOf(title: string): string {
     .replace(/^-+|-+$/g, '')
     .slice(0, 40)
     .replace(/-+$/, '');
-  return id === '' ? 'exercise' : id;
+  if (/[a-z]/.test(id)) return id;
+  const sum = [...oneLine(title)].reduce((sum, letter) => (sum * 31 + (letter.codePointAt(0) ?? 0)) >>> 0, 0);
+  return `exercise-${sum.toString(36)}`;
 }
 
 function oneLine(text: string): string {

@@ -150,7 +150,8 @@ class MakeExerciseDialog {
     const found = await host.playground.ask('grade-answer', { text, answer: this.#program }).catch(() => undefined);
     if (check !== this.#check) return;
     if (found === undefined) this.#status.textContent = texts.failed;
-    else if (found.kind === 'fault') this.#status.textContent = texts.fault(found.line, found.message);
+    else if (found.kind === 'fault')
+      this.#status.textContent = texts.fault(text.split('\n')[found.line - 1]?.trim() ?? '', found.message);
     else {
       const { report, id } = found;
       const failed = report.checks.filter(({ passed }) => !passed).map(({ check }) => check);
@@ -205,7 +206,7 @@ const WORDS = words({
       task: 'Task',
       hints: 'Hints, one in each line (at most three)',
       start: 'Program that the learner begins with',
-      blocks: 'Blank, tools and wanted part with its tolerances',
+      blocks: 'Blank, tools and wanted part; each tolerance is that of the size in parentheses after it',
       require: 'Required codes',
       forbid: 'Forbidden codes',
       safeEnd: 'Least distance from the blank at the end, mm',
@@ -219,7 +220,7 @@ const WORDS = words({
     notCopied: 'The browser does not allow copying. The link is selected: copy it by hand.',
     passes: 'Your program passes.',
     fails: (wrong: string) => `Your program does not pass: ${wrong}`,
-    fault: (line: number, message: string) => `The exercise has a fault in line ${line}: ${message}`,
+    fault: (line: string, message: string) => `The exercise has a fault (“${line}”): ${message}`,
     none: (reason: string) => `There is no wanted part: ${reason}.`,
     failed: 'The program could not be run.',
     qrTooLong: (length: number, limit: number) =>
@@ -234,7 +235,7 @@ const WORDS = words({
       task: '任务',
       hints: '提示，每行一条（最多三条）',
       start: '学生开始时的程序',
-      blocks: '毛坯、刀具和要求的零件及其公差',
+      blocks: '毛坯、刀具和要求的零件；每个公差属于其后括号中的尺寸',
       require: '必须使用的代码',
       forbid: '禁止使用的代码',
       safeEnd: '结束时离毛坯的最小距离，mm',
@@ -248,7 +249,7 @@ const WORDS = words({
     notCopied: '浏览器不允许复制。链接已选中，请手动复制。',
     passes: '您的程序通过。',
     fails: (wrong) => `您的程序未通过：${wrong}`,
-    fault: (line, message) => `练习第 ${line} 行有错误：${message}`,
+    fault: (line, message) => `练习有错误（“${line}”）：${message}`,
     none: (reason) => `没有要求的零件：${reason}。`,
     failed: '无法运行此程序。',
     qrTooLong: (length, limit) => `链接有 ${length} 个字符，二维码最多容纳 ${limit} 个。请将练习保存为文件。`,
@@ -263,7 +264,7 @@ const WORDS = words({
       task: 'Задание',
       hints: 'Подсказки, по одной в строке (не более трёх)',
       start: 'Программа, с которой начинает ученик',
-      blocks: 'Заготовка, инструменты и требуемая деталь с допусками',
+      blocks: 'Заготовка, инструменты и требуемая деталь; каждый допуск относится к размеру в скобках после него',
       require: 'Обязательные коды',
       forbid: 'Запрещённые коды',
       safeEnd: 'Наименьшее расстояние от заготовки в конце, мм',
@@ -277,7 +278,7 @@ const WORDS = words({
     notCopied: 'Браузер не разрешает копирование. Ссылка выделена: скопируйте её вручную.',
     passes: 'Ваша программа выполняет упражнение.',
     fails: (wrong) => `Ваша программа не выполняет упражнение: ${wrong}`,
-    fault: (line, message) => `В упражнении ошибка в строке ${line}: ${message}`,
+    fault: (line, message) => `В упражнении ошибка («${line}»): ${message}`,
     none: (reason) => `Требуемой детали нет: ${reason}.`,
     failed: 'Программу не удалось выполнить.',
     qrTooLong: (length, limit) =>
