@@ -24,11 +24,19 @@ test('a learner fails, takes a hint, passes, reloads and goes on', async ({ page
   await list.getByRole('link').first().click();
   await expect(page.locator('.exercise-task')).toContainText(/\S/);
   await expect(page.getByRole('img', { name: 'Drawing of the part' })).toBeVisible();
-  await expect(titleText(page)).toHaveText('Exercise');
+  await expect(titleText(page)).toHaveText('Face a bar');
+  const isKept = page.getByText('Your work on this exercise is kept');
+  await settled(page);
+  await expect(isKept).toBeHidden();
 
   await type(page, 'G00 X100 Z100\nM30');
   await check(page);
-  await expect(report(page)).toContainText('Not passed');
+  await expect(page.locator('.exercise-verdict')).toHaveText('Not passed');
+  // The report begins in view, with what failed.
+  await expect(page.locator('.exercise-verdict')).toBeInViewport();
+  await expect(page.getByRole('button', { name: 'Check', exact: true })).toBeInViewport();
+  await expect(page.locator('.exercise-checks li').first()).toContainText('Not passed');
+  await expect(isKept).toBeVisible();
   await expect(page.locator('.exercise-hints li')).toHaveCount(0);
   await page.getByRole('button', { name: 'Hint 1 of 3' }).click();
   await expect(page.locator('.exercise-hints li')).toHaveCount(1);
@@ -37,6 +45,9 @@ test('a learner fails, takes a hint, passes, reloads and goes on', async ({ page
   await check(page);
   await expect(page.locator('.exercise-verdict.passed')).toBeVisible();
   await expect(report(page)).not.toContainText('Not passed');
+  await expect(page.getByText('Same part')).toBeVisible();
+  await expect(page.getByRole('button', { name: 'End comparison' })).toBeHidden();
+  await expect(page.getByRole('link', { name: /^Next exercise: \S/ })).toHaveAttribute('href', /^#exercise=/);
 
   await page.reload();
   await settled(page);

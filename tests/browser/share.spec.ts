@@ -446,7 +446,7 @@ test('a teacher gives a class a task by link, and receives links to the answers'
     await page
       .locator('gcode-playground')
       .evaluate(async (element) => void (await (element as unknown as Playground).settled));
-    await expect(page.getByText('Same as the kept part')).toHaveCount(same);
+    await expect(page.getByText('Same as the reference')).toHaveCount(same);
   }
   // A teacher who uses another language keeps it.
   await chooseLanguage(page, 'ru');

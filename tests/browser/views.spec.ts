@@ -79,12 +79,12 @@ test('a kept part is compared with the next one, and the difference is measured'
   // The example has its own comparison; a part kept by the user stays for the next example.
   await page.getByRole('button', { name: 'End comparison' }).click();
   await choose(page, 'more', 'Keep this part to compare');
-  await expect(page.getByText('Same as the kept part')).toBeVisible();
+  await expect(page.getByText('Same as the reference')).toBeVisible();
   await chooseExample(page, 'R calculated from the start point: -24');
-  await expect(page.getByText('only in the kept part')).toBeVisible();
+  await expect(page.getByText('only in the reference')).toBeVisible();
   await expect(page.getByText('1.667 mm in radius at Z−16.667; 3.333 mm along Z at X50')).toBeVisible();
   await page.getByRole('button', { name: 'End comparison' }).click();
-  await expect(page.getByText('only in the kept part')).toBeHidden();
+  await expect(page.getByText('only in the reference')).toBeHidden();
 });
 
 test.describe('X and Z at the pointer', () => {

@@ -147,6 +147,8 @@ export class GcodePlayground extends HTMLElement {
   keepPart(): void;
   /** Ends the comparison that `keepPart` began. */
   endComparison(): void;
+  /** Checks the program as the answer to the exercise, as a click on "Check" does. */
+  checkExercise(): void;
   /** The tool position, in the format of `step`; null if the whole path is shown. */
   currentStep(): Promise<string | null>;
   /** The line of the cursor, from 1. */
@@ -194,7 +196,15 @@ export interface GcodePlaygroundEvents {
   }>;
   /** Everything of a run is shown. */
   'gcode-settled': CustomEvent<{ readonly run: number }>;
-  /** The learner has checked the program of an exercise; `hints` is the number of open hints. */
+  /** The task of an exercise is shown, also in another language. */
+  'gcode-exercise': CustomEvent<{
+    readonly id: string;
+    readonly version: string;
+    readonly title: string;
+    /** The program that the learner begins with. */
+    readonly program: string;
+  }>;
+  /** The program of an exercise was checked; `hints` is the number of open hints. */
   'gcode-checked': CustomEvent<{
     readonly id: string;
     /** The checksum of the exercise file. */

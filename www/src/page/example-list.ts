@@ -16,6 +16,8 @@ interface ExamplesHost {
   readonly playground: GcodePlayground;
   readonly language: Language;
   readonly example: Example | undefined;
+  /** The title of the exercise, once the element shows its task. */
+  readonly exerciseTitle: string | undefined;
   choose(id: string): void;
   /** Reports that the gallery could not be loaded, with a function that retries; `undefined` once it is loaded. */
   onGalleryMissing(retry: (() => void) | undefined): void;
@@ -32,9 +34,9 @@ export class ExampleList {
 
   /** Shows the title of the program: of its file, of its example, or that it is an exercise or the user's own. */
   show(): void {
-    const { example, language, playground } = this.#host;
+    const { example, exerciseTitle, language, playground } = this.#host;
     const texts = PAGE_WORDS[language];
-    const other = playground.exercise === null ? texts.ownProgram : texts.exercise;
+    const other = playground.exercise === null ? texts.ownProgram : (exerciseTitle ?? texts.exercise);
     this.#title.textContent = playground.file?.name ?? example?.title[language] ?? other;
   }
 

@@ -21,6 +21,12 @@ export interface CheckedExercise {
   readonly hints: number;
 }
 
+/** The detail of the event `gcode-exercise`, as far as the page uses it. */
+export interface ShownExercise {
+  readonly title: string;
+  readonly program: string;
+}
+
 export type Progress = Readonly<Record<string, ExerciseProgress>>;
 
 const KEY = 'gcode-playground:exercises';

@@ -144,9 +144,11 @@ export class Intro {
           ),
         ];
       case 'linked': {
-        const original = offerLine(texts.linked, texts.reopenLink, () =>
-          host.reopenLink(content.address, content.linked),
-        );
+        const reopen = (): void => host.reopenLink(content.address, content.linked);
+        const original =
+          content.linked.exerciseToDo === undefined
+            ? offerLine(texts.linked, texts.reopenLink, reopen)
+            : offerLine(texts.exerciseWork, texts.restartExercise, reopen);
         return content.previous === undefined ? [original] : [original, restoreProgram(content.previous)];
       }
       case 'previous':

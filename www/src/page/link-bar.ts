@@ -14,6 +14,7 @@ import {
   type Shared,
   type Task,
 } from '../files/shared-link';
+import { loadExercises, titleOf } from './exercise-list';
 import { copyField, copyWhenReady } from './fields';
 import { pageAddress, type AddressContent } from './linked';
 import { FAULTS, LINK_WORDS, SHARE_WORDS } from './share-words';
@@ -26,11 +27,21 @@ export type Fault = Extract<AddressContent, { readonly kind: 'fault' }>['fault']
 export type BarContent =
   | { readonly kind: 'fault'; readonly fault: Fault }
   | { readonly kind: 'task'; readonly linked: Shared }
-  /** The reader's answer to an exercise has been checked. */
-  | { readonly kind: 'exercise'; readonly exercise: AnsweredExercise }
+  /** The reader has passed an exercise, or wants to hand in another answer. */
+  | {
+      readonly kind: 'exercise';
+      readonly exercise: AnsweredExercise;
+      /** The text of an exercise that is not one of the site. */
+      readonly exerciseText: string | null;
+      readonly passed: boolean;
+      /** The reader has asked for the bar. */
+      readonly isWanted: boolean;
+    }
   /** An answer, with the name that it was handed in under; an older link does not contain the task. */
   | { readonly kind: 'answer'; readonly from: string | undefined; readonly linked: Shared }
   | { readonly kind: 'only-shown'; readonly from: string | undefined };
+
+type ExerciseContent = Extract<BarContent, { readonly kind: 'exercise' }>;
 
 /** What the page provides to the bar. */
 interface BarHost {
@@ -39,6 +50,8 @@ interface BarHost {
   /** The current program. */
   program(): SavedProgram;
   compareWith(other: { readonly name: string; readonly text: string }): void;
+  /** The reader has hidden the bar. */
+  onHidden(): void;
 }
 
 export class LinkBar {
@@ -111,7 +124,11 @@ export class LinkBar {
     this.#copy.textContent = texts.handIn;
     this.#link.setAttribute('aria-label', texts.linkToHandIn);
     this.#clearNews();
-    const hide = (): HTMLElement => this.#createButton(texts.hide, () => this.show(undefined, language));
+    const hide = (): HTMLElement =>
+      this.#createButton(texts.hide, () => {
+        this.show(undefined, language);
+        this.#host.onHidden();
+      });
     switch (content?.kind) {
       case 'fault':
         return this.#showText(`${FAULTS[language](content.fault)} ${texts.nothingLost}`, hide());
@@ -120,7 +137,10 @@ export class LinkBar {
         return this.#showText(taskText(linked.task, language), ...this.#solutionButtons(linked, linked.task), hide());
       }
       case 'exercise':
-        return this.#showText(texts.handInExercise, hide());
+        this.#showText(texts.handInExercise, hide());
+        if (content.passed) void this.#offerNext(content);
+        if (content.isWanted) this.#name.focus();
+        return;
       case 'only-shown':
         this.#showText(
           texts.onlyShown,
@@ -142,6 +162,16 @@ export class LinkBar {
       case undefined:
         return this.#showText('');
     }
+  }
+
+  /** A link to the exercise of the site that follows. */
+  async #offerNext(content: ExerciseContent): Promise<void> {
+    const list = content.exerciseText === null ? ((await loadExercises()) ?? []) : [];
+    const at = list.findIndex(({ id }) => id === content.exercise.id);
+    const next = at < 0 ? undefined : list[at + 1];
+    if (next === undefined || this.#content !== content) return;
+    const text = LINK_WORDS[this.#language].nextExercise(titleOf(next, this.#language));
+    this.#buttons.prepend(make('a', { className: 'framed', href: `#exercise=${next.id}` }, text));
   }
 
   set language(language: Language) {
@@ -198,7 +228,10 @@ export class LinkBar {
     const content = this.#content;
     const entered = this.#name.value.trim();
     const name = entered === '' ? null : entered;
-    if (content?.kind === 'exercise') return { ...toShared(this.#host.program()), exercise: content.exercise, name };
+    if (content?.kind === 'exercise') {
+      const { exercise, exerciseText } = content;
+      return { ...toShared(this.#host.program()), exercise, exerciseText, name };
+    }
     if (content?.kind !== 'task') return undefined;
     const { setup, control, blockSkip, program, task } = content.linked;
     return {

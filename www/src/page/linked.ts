@@ -32,6 +32,11 @@ export function hasWork(linked: LinkedProgram): boolean {
   return linked.task !== null || linked.exerciseToDo !== undefined;
 }
 
+/** The text of the exercise to work on, if it is not one of the site. */
+export function ownExercise({ exerciseToDo }: LinkedProgram): string | null {
+  return exerciseToDo?.startsWith('---') === true ? exerciseToDo : null;
+}
+
 /** The address of the file of an exercise. */
 export function exerciseAddress(id: string): string {
   return `exercises/${id}.md`;

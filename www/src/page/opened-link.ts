@@ -4,12 +4,13 @@
 // link; the name on an answer in the title of the tab. The bar is loaded with the first link that contains more than
 // its program. Must not know: what happens to the program.
 
+import { make } from '../dom/dom';
 import { importWithRetry } from '../dom/network';
 import type { OtherProgram } from './compare-own';
 import type { CheckedExercise } from './exercise-progress';
 import { find } from './find';
 import type { Fault, BarContent, LinkBar } from './link-bar';
-import { cleanName, exerciseAddress, type LinkedProgram } from './linked';
+import { cleanName, exerciseAddress, ownExercise, type LinkedProgram } from './linked';
 import type { PageHost } from './page-host';
 import { PAGE_WORDS } from './words';
 
@@ -19,10 +20,16 @@ export class OpenedLink {
   #last: { readonly address: string; readonly linked: LinkedProgram } | undefined;
   #bar: LinkBar | undefined;
   #barContent: BarContent | undefined;
+  /** In the exercise: offers to hand in an answer that has not passed. */
+  readonly #handIn = make('button', { type: 'button', className: 'framed', slot: 'exercise' });
+  #onHandIn: (() => void) | undefined;
+  /** Whether the answer of the link has been checked. */
+  #isChecked = false;
 
   constructor(host: PageHost) {
     this.#host = host;
     const { playground } = host;
+    this.#handIn.addEventListener('click', () => this.#onHandIn?.());
     playground.addEventListener('gcode-change', () => this.#bar?.programChanged());
     // Remove the name when another program replaces the answer, by opening a file or by undo.
     playground.addEventListener('gcode-context', () => {
@@ -42,6 +49,8 @@ export class OpenedLink {
   /** Applies the options of a link after its program was loaded. */
   opened(linked: LinkedProgram): void {
     this.#last = { address: location.hash, linked };
+    this.#isChecked = false;
+    this.#handIn.remove();
     const { playground } = this.#host;
     const { readonly } = linked;
     playground.setAttribute('view', linked.view ?? 'all');
@@ -55,15 +64,46 @@ export class OpenedLink {
     else this.#showAnswer(from);
   }
 
-  /** Offers to hand in the answer to the exercise of the link after its first check. */
-  checked({ id, version, hints }: CheckedExercise): void {
-    if (this.current?.linked.exerciseToDo !== undefined)
-      this.#showBar({ kind: 'exercise', exercise: { id, version, hints } });
+  /** The element shows the task of the exercise. An answer that was handed in is shown with the report on it. */
+  exerciseShown(): void {
+    const { playground } = this.#host;
+    if (this.#isChecked || playground.view !== 'all' || (this.current?.linked.exercise ?? null) === null) return;
+    this.#isChecked = true;
+    playground.checkExercise();
+  }
+
+  /**
+   * Takes the program that an exercise begins with as the text of its link. Returns whether the current program is that
+   * text.
+   */
+  begins(text: string): boolean {
+    const last = this.#last;
+    if (last?.linked.exerciseToDo === undefined || this.#host.playground.value !== text) return false;
+    this.#last = { ...last, linked: { ...last.linked, text } };
+    return true;
+  }
+
+  /** Offers to hand in the answer to the exercise of the link after a check. */
+  checked({ id, version, hints, passed }: CheckedExercise): void {
+    const linked = this.current?.linked;
+    if (linked?.exerciseToDo === undefined) return;
+    const exercise = { id, version, hints };
+    const exerciseText = ownExercise(linked);
+    const content = { kind: 'exercise', exercise, exerciseText, passed, isWanted: false } as const;
+    this.#onHandIn = () => this.#showBar({ ...content, isWanted: true });
+    if (passed) this.#handIn.remove();
+    if (passed || this.#barContent?.kind === 'exercise') this.#showBar(content);
+    else {
+      // The report needs the room of the bar.
+      this.#handIn.textContent = PAGE_WORDS[this.#host.language].handIn;
+      this.#host.playground.append(this.#handIn);
+    }
   }
 
   /** Resets the options, so that they do not affect the next link. */
   end(): void {
     const { playground } = this.#host;
+    this.#handIn.remove();
     playground.step = null;
     playground.exercise = null;
     playground.view = 'all';
@@ -77,6 +117,7 @@ export class OpenedLink {
 
   showLanguage(): void {
     if (this.#bar !== undefined) this.#bar.language = this.#host.language;
+    this.#handIn.textContent = PAGE_WORDS[this.#host.language].handIn;
     this.#showTitle();
   }
 
@@ -126,6 +167,9 @@ export class OpenedLink {
           showAll: () => this.#showAll(),
           program: () => this.#host.program,
           compareWith: (other) => void this.#compareWith(other),
+          onHidden: () => {
+            if (this.#barContent?.kind === 'exercise') this.#barContent = undefined;
+          },
         });
         this.#bar.show(this.#barContent, this.#host.language);
       },

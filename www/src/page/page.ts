@@ -26,7 +26,7 @@ import { COMMON } from '../dom/words';
 import { PAGE_WORDS } from './words';
 import { isWorkOn, saveWorkOn, lastWorkOn, findWorkOn, type FoundWork, type Work } from './task-work';
 import { ProgramSaver } from './program-saver';
-import { saveCheck, type CheckedExercise } from './exercise-progress';
+import { saveCheck, type CheckedExercise, type ShownExercise } from './exercise-progress';
 import {
   readChoices,
   clearLastEntry,
@@ -62,6 +62,7 @@ let language: Language = languageOf(
   parsePlainLink(location.hash)?.language ?? readChoices().language ?? navigator.language,
 );
 let example: Example | undefined;
+let exerciseTitle: string | undefined;
 /** A part was stored for an example that is compared with it. */
 let isComparing = false;
 /** The examples of this visit; undo can restore each of them. */
@@ -86,6 +87,9 @@ const host = {
   },
   get example() {
     return example;
+  },
+  get exerciseTitle() {
+    return exerciseTitle;
   },
   get program() {
     return currentProgram();
@@ -317,6 +321,7 @@ function showAsLinked(linked: LinkedProgram): void {
     language = languageOf(linked.language);
     showLanguage();
   }
+  exerciseTitle = undefined;
   link.opened(linked);
   examples.show();
 }
@@ -490,6 +495,17 @@ function addListeners(): void {
   });
   // A program put in by a script has its own context, too.
   playground.addEventListener('gcode-report', onOriginChanged);
+  playground.addEventListener('gcode-exercise', (event) => {
+    const { title, program } = (event as CustomEvent<ShownExercise>).detail;
+    exerciseTitle = title;
+    examples.show();
+    // The learner has not changed it.
+    if (link.begins(program)) {
+      cancelSave();
+      savedText = program;
+    }
+    link.exerciseShown();
+  });
   playground.addEventListener('gcode-checked', (event) => {
     const { detail } = event as CustomEvent<CheckedExercise>;
     // The check of an answer that a learner has handed in is not the reader's own progress.

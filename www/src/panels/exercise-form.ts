@@ -92,7 +92,7 @@ interface PointRow {
   readonly z: HTMLInputElement;
 }
 
-/** The program runs up to the first point that is missing, so the picture does not show the answer. */
+/** From the first point that is missing, the blocks are comments, so the picture does not show the answer. */
 class PointForm implements ExerciseForm {
   readonly element: HTMLElement;
   readonly begin: string;
@@ -149,7 +149,9 @@ class PointForm implements ExerciseForm {
     const row =
       this.#active !== undefined && (first === undefined || missing.includes(this.#active)) ? this.#active : first;
     if (row === undefined) return false;
-    [row.x.value, row.z.value] = [x, z].map((value) => String(Number(value.toFixed(3)))) as [string, string];
+    // The section is drawn on both sides of the axis.
+    const point = [Math.abs(x), z].map((value) => String(Number(value.toFixed(3))));
+    [row.x.value, row.z.value] = point as [string, string];
     this.#active = this.#rows.find((other) => other.line > row.line && !isAnswered(other));
     this.#write();
     return true;
@@ -159,16 +161,17 @@ class PointForm implements ExerciseForm {
     this.#answer.lines = this.#written();
   }
 
-  /** The program with the points in the predicted lines, up to the first one that is missing. */
+  /** The program with the points in the predicted lines. */
   #written(): string[] {
     const rows = new Map(this.#rows.map((row) => [row.line, row]));
-    const written: string[] = [];
-    for (const [index, line] of this.#program.entries()) {
-      const row = rows.get(index + 1);
-      if (row !== undefined && !isAnswered(row)) return [...written, ...this.#program.slice(-1)];
-      written.push(row === undefined ? line : withPoint(line, numberIn(row.x) ?? '', numberIn(row.z) ?? ''));
-    }
-    return written;
+    const firstMissing = this.#rows.find((row) => !isAnswered(row))?.line ?? Infinity;
+    const last = this.#program.length;
+    return this.#program.map((block, index) => {
+      const line = index + 1;
+      if (line >= firstMissing && line < last) return `(${block.replace(/[()]/g, ' ')})`;
+      const row = rows.get(line);
+      return row === undefined ? block : withPoint(block, numberIn(row.x) ?? '', numberIn(row.z) ?? '');
+    });
   }
 }
 
@@ -256,7 +259,10 @@ class OrderForm implements ExerciseForm {
         const { top, height } = other.getBoundingClientRect();
         return clientY < top + height / 2;
       });
-      if (item.nextElementSibling !== (next ?? null)) list.insertBefore(item, next ?? null);
+      if (item.nextElementSibling === (next ?? null)) return;
+      list.insertBefore(item, next ?? null);
+      // At the border of the panel the list scrolls.
+      item.scrollIntoView({ block: 'nearest' });
     };
     const release = (): void => {
       end.abort();

@@ -1,8 +1,8 @@
 // An exercise: the task with its drawing, hints on request, and the report on the learner's program.
 //
 // In: the address of an exercise file, or its text; the answers of the worker, in the language of the element. Out: the first program
-// and the setup of the exercise; the event `gcode-checked` of the element after each check. Loaded when it is first
-// shown. Must not know: how a part is measured.
+// and the setup of the exercise; the events `gcode-exercise`, when the task is shown, and `gcode-checked`, after each
+// check. Loaded when it is first shown. Must not know: how a part is measured.
 
 import { make, renderUnbroken } from '../dom/dom';
 import { loadText } from '../dom/load-text';
@@ -18,6 +18,20 @@ export { exerciseStyles };
 
 /** The longest exercise file, characters, as the interpreter reads it. */
 const MAX_LENGTH = 65_536;
+
+/** Space above the report, CSS pixels. */
+const REPORT_MARGIN_PX = 8;
+
+/** The detail of the event `gcode-exercise`. */
+export interface ExerciseDetail {
+  readonly id: string;
+  /** The checksum of the exercise file. */
+  readonly version: string;
+  /** In the language of the element. */
+  readonly title: string;
+  /** The program that the learner begins with. */
+  readonly program: string;
+}
 
 /** The detail of the event `gcode-checked`. */
 export interface CheckedDetail {
@@ -47,6 +61,8 @@ export class ExerciseView {
   #text = '';
   #exercise: ExerciseText | undefined;
   #form: ExerciseForm | undefined;
+  /** The program that the learner begins with, once it is in the editor. */
+  #begin: string | undefined;
   #shownHints = 0;
   /** Number of the check, so that a late report on an earlier program is dropped. */
   #check = 0;
@@ -54,7 +70,7 @@ export class ExerciseView {
   constructor(shell: Shell, address: string) {
     this.#shell = shell;
     this.#address = address;
-    this.#checkButton.addEventListener('click', () => void this.#runCheck());
+    this.#checkButton.addEventListener('click', () => void this.check());
     this.#hintButton.addEventListener('click', () => this.#showNextHint());
     this.#printButton.hidden = !shell.hasService('printTask');
     this.#printButton.addEventListener('click', () => shell.service('printTask')());
@@ -65,6 +81,7 @@ export class ExerciseView {
       make('div', { className: 'exercise-text' }, this.#task, this.#drawing),
       this.#formPlace,
       this.#hints,
+      this.#report,
       make(
         'div',
         { className: 'exercise-buttons' },
@@ -72,8 +89,8 @@ export class ExerciseView {
         this.#hintButton,
         this.#printButton,
         this.#chapter,
+        make('slot', { name: 'exercise' }),
       ),
-      this.#report,
     );
   }
 
@@ -92,6 +109,10 @@ export class ExerciseView {
     if (this.#shell.editor.text.trim() === '' && begin !== '')
       this.#shell.replaceProgram(programText(begin), undefined, 'same');
     if (hasJson) this.#shell.changeSetup(exercise.setup);
+    this.#begin = begin;
+    // The new program scrolls to its cursor, which may be below the task.
+    requestAnimationFrame(() => scrollerOf(this.element)?.scrollTo(0, 0));
+    this.#reportExercise(exercise, begin);
   }
 
   /** Shows the exercise in the language of the element. */
@@ -102,7 +123,17 @@ export class ExerciseView {
     const texts = WORDS[this.#shell.language];
     if (read.kind === 'fault') return this.#showFault(texts.fault(read.line, read.message));
     this.#exercise = read;
-    this.#render(read, drawing);
+    // The sizes of the drawing are the answers to a prediction.
+    this.#render(read, read.taskKind === 'predict' ? undefined : drawing);
+    if (this.#begin !== undefined) this.#reportExercise(read, this.#begin);
+  }
+
+  #reportExercise({ id, version, title }: ExerciseText, program: string): void {
+    this.#fire<ExerciseDetail>('gcode-exercise', { id, version, title, program });
+  }
+
+  #fire<Detail>(type: string, detail: Detail): void {
+    this.#shell.root.host.dispatchEvent(new CustomEvent(type, { detail, bubbles: true, composed: true }));
   }
 
   /** Title, task and drawing for a printed sheet. */
@@ -161,70 +192,91 @@ export class ExerciseView {
     if (this.#exercise === undefined) return;
     this.#shownHints++;
     this.#renderHints(this.#exercise);
+    this.#hints.lastElementChild?.scrollIntoView({ block: 'nearest' });
   }
 
-  async #runCheck(): Promise<void> {
+  /** Checks the program, and shows the report. */
+  async check(): Promise<void> {
     this.#shell.flush();
     const check = ++this.#check;
     const report = await this.#shell.ask('check-exercise', { text: this.#text });
     if (report === undefined || check !== this.#check) return;
     this.#showReport(report);
-    const detail: CheckedDetail = {
+    this.#fire<CheckedDetail>('gcode-checked', {
       id: this.#exercise?.id ?? '',
       version: this.#exercise?.version ?? '',
       passed: report.passed,
       hints: this.#shownHints,
       checks: report.checks.map(({ check, passed }) => ({ name: check, passed })),
-    };
-    this.#shell.root.host.dispatchEvent(new CustomEvent('gcode-checked', { detail, bubbles: true, composed: true }));
+    });
   }
 
   #showReport(report: Graded): void {
     const texts = WORDS[this.#shell.language];
     this.#report.classList.remove('is-outdated');
-    // The part of a prediction is that of the exercise, which the learner does not change.
-    const isPrediction = this.#exercise?.taskKind === 'predict';
-    const verdict = make(
-      'p',
-      { className: report.passed ? 'exercise-verdict passed' : 'exercise-verdict' },
-      ...(isPrediction ? [report.passed ? texts.passed : texts.failed] : renderUnbroken(report.part)),
-      ...this.#lineButton(report.line),
-    );
+    const className = report.passed ? 'exercise-verdict passed' : 'exercise-verdict';
     const { cause } = report;
     this.#report.replaceChildren(
-      verdict,
+      make('p', { className }, report.passed ? texts.passed : texts.failed),
       ...(cause === undefined
         ? []
         : [make('p', { className: 'exercise-cause' }, cause.text, ...this.#lineButton(cause.line))]),
-      this.#checkList(report.checks),
+      this.#checkList(report),
       ...(report.sizes.length === 0 ? [] : [measuringReport(report.sizes, texts)]),
     );
+    // The host page may change the row of buttons.
+    requestAnimationFrame(() => this.#scrollToReport());
   }
 
-  #checkList(checks: Graded['checks']): HTMLElement {
+  /** Not `scrollIntoView`, which would also move the page around the element. */
+  #scrollToReport(): void {
+    const scroller = scrollerOf(this.element);
+    const top = this.#report.getBoundingClientRect().top - REPORT_MARGIN_PX;
+    scroller?.scrollBy(0, top - scroller.getBoundingClientRect().top);
+  }
+
+  /** The part and the checks, failed ones first; after an alarm, the part only follows from it. */
+  #checkList({ part, samePart, line, checks, errors }: Graded): HTMLElement {
     const texts = WORDS[this.#shell.language];
+    const ofChecks = checks.map(({ check, passed, found, line }) => ({
+      passed,
+      text: [found === '' ? check : texts.found(check, found)],
+      line,
+    }));
+    const ofPart = { passed: samePart, text: renderUnbroken(part), line };
+    // The part of a prediction is that of the exercise, which the learner does not change.
+    const isPrediction = this.#exercise?.taskKind === 'predict';
+    const rows = isPrediction ? ofChecks : errors > 0 ? [...ofChecks, ofPart] : [ofPart, ...ofChecks];
+    const sorted = [...rows.filter(({ passed }) => !passed), ...rows.filter(({ passed }) => passed)];
     return make(
       'ul',
       { className: 'exercise-checks' },
-      ...checks.map(({ check, passed, found, line }) =>
+      ...sorted.map(({ passed, text, line }) =>
         make(
           'li',
           { className: passed ? 'passed' : 'failed' },
           make('span', { className: 'exercise-mark' }, passed ? texts.passed : texts.failed),
-          found === '' ? check : `${check}: ${found}`,
+          ...text,
           ...this.#lineButton(passed ? undefined : line),
         ),
       ),
     );
   }
 
-  /** A button that selects a line of the program. */
-  #lineButton(line: number | undefined): HTMLElement[] {
+  /** A button that selects a line of the program, after a blank. */
+  #lineButton(line: number | undefined): (HTMLElement | string)[] {
     if (line === undefined) return [];
     const button = make('button', { type: 'button', className: 'link' }, COMMON[this.#shell.language].line(line));
     button.addEventListener('click', () => this.#shell.goTo(spanOf(this.#shell.editor.text, line)));
-    return [button];
+    return [' ', button];
   }
+}
+
+/** The element that scrolls the exercise; undefined if all of it is in view. */
+function scrollerOf(element: HTMLElement): HTMLElement | undefined {
+  for (let at = element.parentElement; at !== null; at = at.parentElement)
+    if (at.scrollHeight > at.clientHeight && getComputedStyle(at).overflowY === 'auto') return at;
+  return undefined;
 }
 
 /** The text of the file; undefined if it cannot be loaded or is too long. A text that begins with `---` is the file itself. */
@@ -308,6 +360,7 @@ const WORDS = words({
     drawing: 'Drawing of the part',
     passed: 'Passed',
     failed: 'Not passed',
+    found: (check: string, found: string) => `${check}: ${found}`,
     sizes: 'Measuring report',
     size: 'Size',
     wanted: 'Wanted',
@@ -325,6 +378,7 @@ const WORDS = words({
     drawing: '零件图',
     passed: '通过',
     failed: '未通过',
+    found: (check, found) => `${check}：${found}`,
     sizes: '测量报告',
     size: '尺寸',
     wanted: '要求',
@@ -342,6 +396,7 @@ const WORDS = words({
     drawing: 'Чертёж детали',
     passed: 'Выполнено',
     failed: 'Не выполнено',
+    found: (check, found) => `${check}: ${found}`,
     sizes: 'Протокол измерений',
     size: 'Размер',
     wanted: 'Требуется',

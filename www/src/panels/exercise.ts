@@ -22,6 +22,7 @@ class ExercisePanel implements Panel {
   readonly services: Partial<Services> = {
     exerciseSheet: () => this.#view?.sheet ?? [],
     answerAt: (place) => this.#view?.answerAt(place) ?? false,
+    checkExercise: () => void this.#view?.check(),
   };
 
   constructor(shell: Shell) {

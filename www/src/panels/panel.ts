@@ -212,6 +212,8 @@ export interface Services {
   keepPart(): void;
   /** Ends the comparison that `keepPart` began, but not one that the user began. */
   endComparison(): void;
+  /** Checks the program as the answer to the exercise, and shows the report. */
+  checkExercise(): void;
   /** Title, task and drawing of the exercise, for a printed sheet. */
   exerciseSheet(): readonly HTMLElement[];
   /** Prints the task of the exercise with an empty form for the program. */

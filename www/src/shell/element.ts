@@ -288,6 +288,11 @@ export class GcodePlayground extends ElementAttributes {
     this.#callService('endComparison', (end) => end());
   }
 
+  /** Checks the program as the answer to the exercise, as a click on "Check" does. */
+  checkExercise(): void {
+    this.#callService('checkExercise', (check) => check());
+  }
+
   /** Creates the shell if the element is still waiting for the viewport. */
   get #shell(): PlaygroundShell {
     if (this.isConnected && this.#createdShell === undefined) this.#start();
@@ -382,7 +387,7 @@ export class GcodePlayground extends ElementAttributes {
   }
 
   /** Calls a service of the view: immediately, or when its panel is loaded. */
-  #callService<S extends 'play' | 'pause' | 'saveFile' | 'keepPart' | 'endComparison'>(
+  #callService<S extends 'play' | 'pause' | 'saveFile' | 'keepPart' | 'endComparison' | 'checkExercise'>(
     name: S,
     callback: (service: Services[S]) => void,
   ): void {

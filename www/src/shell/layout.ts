@@ -16,7 +16,10 @@ export function parseView(attribute: string | null): View {
 
 /** The methods of the element that are missing in some views. */
 export type OptionalMethod =
-  | Extract<keyof Services, 'play' | 'pause' | 'openFile' | 'saveFile' | 'exported' | 'keepPart' | 'endComparison'>
+  | Extract<
+      keyof Services,
+      'play' | 'pause' | 'openFile' | 'saveFile' | 'exported' | 'keepPart' | 'endComparison' | 'checkExercise'
+    >
   | 'seek';
 
 interface ViewContents {
@@ -31,7 +34,7 @@ export const VIEW_CONTENTS: Readonly<Record<View, ViewContents>> = {
     program: true,
     picture: true,
     controls: CONTROLS,
-    offers: ['play', 'pause', 'seek', 'openFile', 'saveFile', 'exported', 'keepPart', 'endComparison'],
+    offers: ['play', 'pause', 'seek', 'openFile', 'saveFile', 'exported', 'keepPart', 'endComparison', 'checkExercise'],
   },
   picture: { program: false, picture: true, controls: [], offers: ['seek'] },
   playback: { program: false, picture: true, controls: ['playback'], offers: ['play', 'pause', 'seek'] },

@@ -18,6 +18,8 @@ const MAX_COLOURED_LENGTH = 200_000;
 export interface AnswerRow<K extends QuestionKind> {
   /** A picture changes: redraw immediately, or when the run is complete. */
   readonly draws?: 'now' | 'when-complete';
+  /** The views are reported after the answer. */
+  readonly changesViews?: true;
   /** Whether the answer also makes annotations of the picture. */
   readonly annotates?: (args: Questions[K]['args']) => boolean;
   /** Wait until all material is removed. */
@@ -57,7 +59,12 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
     needs: TEXT_PARTS,
     answer: (core, { text }) => ({ read: core.exercise(text), drawing: core.exerciseDrawing(text) }),
   },
-  'check-exercise': { needs: TEXT_PARTS, draws: 'now', answer: (core, { text }) => core.checkExercise(text) },
+  'check-exercise': {
+    needs: TEXT_PARTS,
+    draws: 'now',
+    changesViews: true,
+    answer: (core, { text }) => core.checkExercise(text),
+  },
   'exercise-blocks': { needs: TEXT_PARTS, waitsFor: 'part', answer: (core) => core.exerciseBlocks() },
   'grade-answer': { needs: TEXT_PARTS, answer: (core, { text, answer }) => core.gradeAnswer(text, answer) },
   calculator: { needs: TEXT_PARTS, answer: (core, { name, at }) => core.calculatorForm(name, at === 'cursor') },

@@ -301,6 +301,7 @@ export class Session implements Waiter {
       const value = row.answer(this.#core, question.args);
       void this.#reply(question.id, value);
       if (row.draws !== undefined) this.#drawing.request(row.draws);
+      if (row.changesViews === true) this.#emitViews();
       if (row.annotates?.(question.args) === true) void this.#drawAnnotations(value);
     };
     if (row.waitsFor === undefined) answer();
