@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Form;
+use super::{Form, is_plain, with_blank, with_point};
 use crate::assist::Query;
 use crate::assist::fact::Quantity;
 use crate::assist::form::cycle_block;
@@ -23,7 +23,7 @@ use crate::run::Run;
 use crate::run::replay::VisitChoice;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, Control, DecimalRule, Dialect, PqUnit};
-use crate::source::{LineIndex, Span};
+use crate::source::{LineIndex, Span, after_line_end, only_line_end};
 use crate::text::block::{Block, BlockKind, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::units::{Unit, number};
@@ -38,11 +38,20 @@ const MAX_ANGLE: f64 = 99.0;
 /// A call of a multiple cycle.
 struct Call {
     cycle: Multiple,
-    /// The first byte of a first block directly before it.
-    first: Option<u32>,
-    /// The first byte of the block that cuts.
-    start: u32,
+    /// A first block directly before it.
+    first: Option<Place>,
+    /// The block that cuts.
+    own: Place,
     block: CycleBlock,
+}
+
+/// A block of a call.
+#[derive(Clone, Copy)]
+struct Place {
+    /// Its first byte.
+    start: u32,
+    /// The code of the cycle.
+    code: Span,
 }
 
 /// The edits of the calls that are in the other form.
@@ -52,18 +61,13 @@ pub(super) fn edits(text: &[u8], setup: &Setup, form: Form) -> BTreeMap<u32, Vec
     let own: Vec<Call> = calls(text, codes).into_iter().filter(|call| call.is_other(form)).collect();
     let lines = LineIndex::new(text);
     let own = own.iter().take(MAX_CALLS);
-    own.filter_map(|call| Some((call.start, call.edits(&mut run, &lines)?))).collect()
+    own.filter_map(|call| Some((call.own.start, call.edits(&mut run, &lines)?))).collect()
 }
 
 /// The codes of the calls in the other form.
 pub(super) fn codes_in_other_form(text: &[u8], codes: CodeList, form: Form) -> Vec<Span> {
-    let code_at = |start: u32| {
-        let block = block_at(text, start);
-        block.words.iter().find(|word| cycle_of(word, codes).is_some()).map(|word| word.span)
-    };
-    // A second block alone may have the same words in both forms.
     let own = calls(text, codes).into_iter().filter(|call| call.is_other(form));
-    own.filter_map(|call| code_at(call.first.unwrap_or(call.start))).collect()
+    own.map(|call| call.first.unwrap_or(call.own).code).collect()
 }
 
 fn calls(text: &[u8], codes: CodeList) -> Vec<Call> {
@@ -74,13 +78,14 @@ fn calls(text: &[u8], codes: CodeList) -> Vec<Call> {
             continue;
         }
         let first = std::mem::take(&mut before);
-        let Some(cycle) = block.words.iter().find_map(|word| cycle_of(word, codes)) else { continue };
-        let start = block.span.start;
+        let code = |word: &Word| Some((cycle_of(word, codes)?, word.span));
+        let Some((cycle, code)) = block.words.iter().find_map(code) else { continue };
+        let own = Place { start: block.span.start, code };
         match cycle_block(cycle, &block) {
-            CycleBlock::First => before = Some((cycle, start)),
-            own => {
-                let first = first.filter(|(other, _)| *other == cycle).map(|(_, start)| start);
-                all.push(Call { cycle, first, start, block: own });
+            CycleBlock::First => before = Some((cycle, own)),
+            block => {
+                let first = first.filter(|(other, _)| *other == cycle).map(|(_, place)| place);
+                all.push(Call { cycle, first, own, block });
             }
         }
     }
@@ -96,12 +101,6 @@ fn cycle_of(word: &Word, codes: CodeList) -> Option<Multiple> {
     }
 }
 
-fn block_at(text: &[u8], start: u32) -> Block {
-    let mut block = Block::default();
-    Parser::resume(text, Resume::inside(start, 0)).next_block(&mut block);
-    block
-}
-
 impl Call {
     fn is_other(&self, form: Form) -> bool {
         match form {
@@ -111,27 +110,23 @@ impl Call {
     }
 
     fn edits(&self, run: &mut Run, lines: &LineIndex) -> Option<Vec<Edit>> {
-        let writer = |run: &Run| Writer {
-            unit: run.state().unit,
-            dialect: Dialect::new(&run.setup().dialect),
-            cycle: self.cycle,
-        };
-        let own = given(run, lines, self.start, self.block)?;
+        let dialect = Dialect::new(&run.setup().dialect);
+        let writer = Writer { unit: run.state().unit, dialect, cycle: self.cycle, code: self.own.code };
+        let own = given(run, lines, self.own.start)?;
         if self.block == CycleBlock::Whole {
-            return writer(run).in_two_blocks(run.text(), run.code_list(), &own);
+            return writer.in_two_blocks(run.text(), &own);
         }
         let first = match self.first {
-            Some(first) => Some(given(run, lines, first, CycleBlock::First)?),
+            Some(first) => Some(given(run, lines, first.start)?),
             None => None,
         };
-        writer(run).in_one_block(run.text(), run.code_list(), first.as_ref(), &own)
+        writer.in_one_block(run.text(), run.code_list(), first.as_ref(), &own)
     }
 }
 
 /// A block of a call, with the values of its words.
 struct Given {
     block: Block,
-    form: CycleBlock,
     words: Vec<Value>,
     /// Finishing passes and pull-out of G76 that are in force before the block.
     thread: [u32; 2],
@@ -147,18 +142,13 @@ struct Value {
 }
 
 /// The block at a byte; `None` if it is not executed, or has more than the words of its cycle.
-fn given(run: &mut Run, lines: &LineIndex, start: u32, form: CycleBlock) -> Option<Given> {
+fn given(run: &mut Run, lines: &LineIndex, start: u32) -> Option<Given> {
     let place = Resume::inside(start, lines.line_of(start));
     let mut replay = run.replay(place, start, VisitChoice::Usual);
     let found = run.advance_replay(&mut replay, MAX_BLOCKS).then(|| replay.found())?;
     let block = found.block(run);
-    let is_plain = block.kind == BlockKind::Words
-        && block.delete.is_none()
-        && block.optional.is_none()
-        && block.program.is_none()
-        && !block.has_expressions
-        && block.faults.is_empty();
-    let state = &found.visit.as_ref().filter(|_| is_plain)?.before.state;
+    let can_change = is_plain(&block) && block.delete.is_none();
+    let state = &found.visit.as_ref().filter(|_| can_change)?.before.state;
     let thread = [state.parameters.finishing, u32::from(state.thread_chamfer)];
     let asked = Query::new(run, &found, &block);
     let value = |word: &Word| {
@@ -173,7 +163,7 @@ fn given(run: &mut Run, lines: &LineIndex, start: u32, form: CycleBlock) -> Opti
     let words: Vec<Value> = own.map(value).collect::<Option<_>>()?;
     let is_once = |value: &Value| words.iter().filter(|other| other.role == value.role).count() == 1;
     let is_known = words.iter().all(|value| !value.word.comma && is_once(value));
-    is_known.then_some(Given { block, form, words, thread })
+    is_known.then_some(Given { block, words, thread })
 }
 
 /// Writes the words of a cycle in its other form.
@@ -181,6 +171,8 @@ struct Writer {
     unit: Unit,
     dialect: Dialect,
     cycle: Multiple,
+    /// The code in the block that cuts.
+    code: Span,
 }
 
 impl Writer {
@@ -211,7 +203,7 @@ impl Writer {
         let mut changed = Vec::new();
         for value in &second.words {
             if let Some(letter) = self.letter(CycleBlock::Whole, value) {
-                let written = self.written(value, second.form, letter, CycleBlock::Whole)?;
+                let written = self.written(value, CycleBlock::Second, letter, CycleBlock::Whole)?;
                 changed
                     .extend((written != value.text).then_some(Edit { span: value.word.span, text: written }));
             }
@@ -227,12 +219,11 @@ impl Writer {
             changed.push(Edit { span: Span { start: at, end: at }, text: words });
         }
         if edits.is_empty() {
-            // The code of a second block alone is converted with its words.
-            let code = second.block.words.iter().find(|word| cycle_of(word, codes).is_some())?;
             if changed.is_empty() {
                 return None;
             }
-            changed.push(Edit { span: code.span, text: code.span.quote(text) });
+            // The code of a second block alone is converted with its words.
+            changed.push(Edit { span: self.code, text: self.code.quote(text) });
         }
         changed.sort_by_key(|edit| (edit.span.start, edit.span.end));
         edits.extend(changed);
@@ -240,9 +231,9 @@ impl Writer {
     }
 
     /// A first block is added, with the words that belong to it.
-    fn in_two_blocks(&self, text: &[u8], codes: CodeList, own: &Given) -> Option<Vec<Edit>> {
-        let code = own.block.words.iter().find(|word| cycle_of(word, codes).is_some())?;
-        let mut first = vec![code.span.quote(text)];
+    fn in_two_blocks(&self, text: &[u8], own: &Given) -> Option<Vec<Edit>> {
+        let code = self.code.quote(text);
+        let mut first = vec![code.clone()];
         let mut edits = Vec::new();
         if self.cycle == Multiple::Threading {
             let angle = own.words.iter().find(|value| value.role == Role::ThreadAngle);
@@ -267,11 +258,11 @@ impl Writer {
                     Edit { span, text: String::new() }
                 }
                 (Some(letter), _) => {
-                    let text = self.written(value, own.form, letter, CycleBlock::Second)?;
+                    let text = self.written(value, CycleBlock::Whole, letter, CycleBlock::Second)?;
                     Edit { span: value.word.span, text }
                 }
                 (None, Some(letter)) => {
-                    first.push(self.written(value, own.form, letter, CycleBlock::First)?);
+                    first.push(self.written(value, CycleBlock::Whole, letter, CycleBlock::First)?);
                     Edit { span, text: String::new() }
                 }
                 // F, S and T.
@@ -279,11 +270,12 @@ impl Writer {
             };
             edits.extend((edit.text != value.text).then_some(edit));
         }
-        let end = if text.windows(2).any(|two| two == b"\r\n") { "\r\n" } else { "\n" };
-        let own = code.span.quote(text);
         // Without an amount in it, no first block is needed.
-        let codes = if first.len() == 1 { own } else { format!("{}{end}{own}", first.join(" ")) };
-        edits.push(Edit { span: code.span, text: codes });
+        let codes = match first.len() {
+            1 => code,
+            _ => format!("{}{}{code}", first.join(" "), only_line_end(text)),
+        };
+        edits.push(Edit { span: self.code, text: codes });
         edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
         Some(edits)
     }
@@ -313,13 +305,8 @@ impl Writer {
         if self.counts_increments(letter as u8, to) {
             return Some(format!("{letter}{}", number((length / self.unit.increment()).round())));
         }
-        let text = number(length);
         let needs_point = self.dialect.decimal == DecimalRule::LeastIncrement || value.text.contains('.');
-        Some(if needs_point && !text.contains('.') {
-            format!("{letter}{text}.")
-        } else {
-            format!("{letter}{text}")
-        })
+        Some(format!("{letter}{}", with_point(number(length), needs_point)))
     }
 
     /// Whether a letter is a length in least increments, without a decimal point: P and Q of the two-block form, and D of
@@ -340,14 +327,9 @@ fn is_referenced(text: &[u8], codes: CodeList, number: u32) -> bool {
 
 /// Removes the words of a block; its line, if the block has no comment.
 fn without_block(text: &[u8], block: &Block) -> Edit {
-    let after = &text[block.span.end as usize..];
-    let line_end = if after.starts_with(b"\r\n") { 2 } else { u32::from(after.starts_with(b"\n")) };
-    let whole = Span { start: block.span.start, end: block.span.end + line_end };
-    Edit { span: if block.comments.is_empty() { whole } else { block.words_span() }, text: String::new() }
-}
-
-/// A span with the blank before it.
-fn with_blank(text: &[u8], span: Span) -> Span {
-    let has_blank = span.start > 0 && text[span.start as usize - 1] == b' ';
-    Span { start: span.start - u32::from(has_blank), end: span.end }
+    let end = block.span.end as usize;
+    let ends_line = matches!(text.get(end), Some(b'\n' | b'\r'));
+    let whole =
+        || Span::new(block.span.start as usize, if ends_line { after_line_end(text, end) } else { end });
+    Edit { span: if block.comments.is_empty() { whole() } else { block.words_span() }, text: String::new() }
 }

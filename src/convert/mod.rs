@@ -353,20 +353,35 @@ fn programmed_arc(motion: &Motion) -> Option<Arc> {
     })
 }
 
-/// Whether a block contains only the words of a move, each at most once.
-fn is_convertible(block: &Block, list: CodeList) -> bool {
-    let is_plain = block.kind == BlockKind::Words
+/// Whether a block has only words with numbers, and no slash between them.
+fn is_plain(block: &Block) -> bool {
+    block.kind == BlockKind::Words
         && block.optional.is_none()
         && block.program.is_none()
         && !block.has_expressions
-        && block.faults.is_empty();
+        && block.faults.is_empty()
+}
+
+/// A span with the blank before it.
+fn with_blank(text: &[u8], span: Span) -> Span {
+    let has_blank = span.start > 0 && text[span.start as usize - 1] == b' ';
+    Span { start: span.start - u32::from(has_blank), end: span.end }
+}
+
+/// A number with a decimal point if it needs one.
+fn with_point(number: String, needs_point: bool) -> String {
+    if needs_point && !number.contains('.') { number + "." } else { number }
+}
+
+/// Whether a block contains only the words of a move, each at most once.
+fn is_convertible(block: &Block, list: CodeList) -> bool {
     let axis = |address: u8| match address {
         b'U' => b'X',
         b'W' => b'Z',
         other => other,
     };
     let mut seen = Vec::new();
-    is_plain
+    is_plain(block)
         && block.words.iter().all(|word| {
             let is_first =
                 word.address == b'G' || word.address == b'M' || !seen.contains(&axis(word.address));
@@ -450,7 +465,8 @@ impl Writer<'_> {
         let radius = arc.start.distance(arc.center);
         let value = self.number(radius, &words.iter().collect::<Vec<_>>());
         let first = Edit { span: first.span, text: format!("R{value}") };
-        let rest = rest.iter().map(|word| Edit { span: self.with_blank(word.span), text: String::new() });
+        let rest =
+            rest.iter().map(|word| Edit { span: with_blank(self.text, word.span), text: String::new() });
         Some(std::iter::once(first).chain(rest).collect())
     }
 
@@ -462,18 +478,11 @@ impl Writer<'_> {
         Some(vec![Edit { span: word.span, text: format!("I{i} K{k}") }])
     }
 
-    /// A span with the blank before it.
-    fn with_blank(&self, span: Span) -> Span {
-        let has_blank = span.start > 0 && self.text[span.start as usize - 1] == b' ';
-        Span { start: span.start - u32::from(has_blank), end: span.end }
-    }
-
     /// A length, mm, in the unit of the program. It has a decimal point if one of the words that it replaces has one, or
     /// if a number without one would be in least increments.
     fn number(&self, mm: f64, instead_of: &[&Word]) -> String {
-        let text = number(mm / self.unit.millimetres());
         let has_point = |word: &&Word| word.span.of(self.text).contains(&b'.');
         let needs_point = self.decimal == DecimalRule::LeastIncrement || instead_of.iter().any(has_point);
-        if needs_point && !text.contains('.') { text + "." } else { text }
+        with_point(number(mm / self.unit.millimetres()), needs_point)
     }
 }

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Conversion, EXACT, is_run, runs};
+use super::{Conversion, EXACT, is_run, runs, with_blank};
 use crate::assist::form::{Form, g_of};
 use crate::assist::names::{Name, names};
 use crate::assist::role::Role;
@@ -139,7 +139,7 @@ impl Writer<'_> {
             (_, Some(_)) => Ok(None),
             // System A has no code for these.
             (_, None) if matches!(code, G::Distance { .. } | G::HoleReturn(_)) => {
-                Ok(Some(Edit { span: self.with_blank(word.span), text: String::new() }))
+                Ok(Some(Edit { span: self.with_one_blank(word.span), text: String::new() }))
             }
             (_, None) => Err(word.span),
         }
@@ -194,11 +194,10 @@ impl Writer<'_> {
     }
 
     /// A span with the blank before it, or else the one after it.
-    fn with_blank(&self, span: Span) -> Span {
-        let is_blank = |at: Option<usize>| at.and_then(|at| self.text.get(at)) == Some(&b' ');
-        let before = is_blank((span.start as usize).checked_sub(1));
-        let after = !before && is_blank(Some(span.end as usize));
-        Span { start: span.start - u32::from(before), end: span.end + u32::from(after) }
+    fn with_one_blank(&self, span: Span) -> Span {
+        let own = with_blank(self.text, span);
+        let has_blank = own == span && self.text.get(span.end as usize) == Some(&b' ');
+        Span { end: span.end + u32::from(has_blank), ..own }
     }
 }
 

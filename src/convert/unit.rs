@@ -4,7 +4,7 @@
 //! prevent the conversion. It is all or nothing: a program has one unit. Lengths are rounded to the least increment of
 //! the new unit; positions differ by at most [`NEAR`].
 
-use super::{Conversion, has_one_unit, is_run, runs};
+use super::{Conversion, has_one_unit, is_run, runs, with_point};
 use crate::assist::form::{Form, g_of};
 use crate::assist::role::Role;
 use crate::control::codes::words::Axes;
@@ -18,7 +18,7 @@ use crate::rewrite::has_no_new_complaints;
 use crate::run::{Analysis, analyze};
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, Control, DecimalRule, Dialect, PqUnit};
-use crate::source::Span;
+use crate::source::{Span, only_line_end};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
 use crate::units::{Unit, number};
@@ -163,8 +163,8 @@ impl Writer<'_> {
             }
         }
         if let (false, Some(start)) = (has_code, first) {
-            let end = if self.text.windows(2).any(|two| two == b"\r\n") { "\r\n" } else { "\n" };
-            edits.push(Edit { span: Span { start, end: start }, text: self.unit_code() + end });
+            let text = self.unit_code() + only_line_end(self.text);
+            edits.push(Edit { span: Span { start, end: start }, text });
         }
         edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
         Ok(edits)
@@ -232,8 +232,7 @@ impl Writer<'_> {
             Measure::Length | Measure::Increments => {
                 let length = if counts { value * self.from.increment() } else { value };
                 let text = rounded(length * scale, i32::from(self.to.decimals()));
-                let needs_point = has_point || self.dialect.decimal == DecimalRule::LeastIncrement;
-                if needs_point && !text.contains('.') { text + "." } else { text }
+                with_point(text, has_point || self.dialect.decimal == DecimalRule::LeastIncrement)
             }
         }
     }

@@ -1,7 +1,8 @@
 //! Writes the outline of a finished part as the target of an exercise.
 //!
 //! In: a run whose part can be shown. Out: the lines of the block `target`, with sizes as the program states them and
-//! default tolerances, each followed by the size it belongs to, in parentheses. The rest of the bar is not part of it, and threads are notes on their cylinders.
+//! default tolerances, each followed by the size it belongs to, in parentheses. The rest of the bar is not part of it,
+//! and threads are notes on their cylinders.
 
 use super::fault::TargetFault;
 use super::outline;
