@@ -61,7 +61,7 @@ pub fn label(label: Label, language: Language) -> &'static str {
     language.among(match label {
         Label::File => ["file", "文件", "файл"],
         Label::Part => ["part", "零件", "деталь"],
-        Label::Failed => ["failed checks", "未通过的检查", "невыполненные проверки"],
+        Label::Failed => ["failed checks", "未通过的检查", "непройденные проверки"],
         Label::Problems => ["errors, warnings", "错误、警告", "ошибки, предупреждения"],
         Label::Time => ["time", "时间", "время"],
         Label::Codes => ["codes", "代码", "коды"],
@@ -247,12 +247,12 @@ pub(super) fn among(language: Language, [english, chinese, russian]: [String; 3]
 pub fn describe_check(check: &Check, language: Language) -> String {
     let with = |texts: [&'static str; 3], value: String| language.among(texts).replace("{}", &value);
     match check {
-        Check::Alarms => {
-            language.among(["runs without an alarm", "运行无报警", "без аварийных сигналов"]).to_owned()
-        }
-        Check::Collisions => {
-            language.among(["runs without a collision", "运行无碰撞", "без столкновений"]).to_owned()
-        }
+        Check::Alarms => language
+            .among(["runs without an alarm", "运行无报警", "выполняется без аварийных сигналов"])
+            .to_owned(),
+        Check::Collisions => language
+            .among(["runs without a collision", "运行无碰撞", "выполняется без столкновений"])
+            .to_owned(),
         Check::Required(code) => with(["uses {}", "使用 {}", "используется {}"], code.clone()),
         Check::Forbidden(code) => with(["does not use {}", "不使用 {}", "не используется {}"], code.clone()),
         Check::Depth(own) => {
@@ -304,16 +304,23 @@ pub fn describe_finding(checked: &Checked, language: Language) -> String {
         Finding::Message(found) => found.sentence(language).message,
         Finding::Value(value) => short(*value),
         Finding::Unknown => label(Label::Unknown, language).to_owned(),
+        Finding::NoWord('S') => language
+            .among([
+                "the spindle is stopped, or S or the limit G50 is missing",
+                "主轴停止，或缺少 S 或 G50 限速",
+                "шпиндель остановлен, либо не задан S или предел G50",
+            ])
+            .to_owned(),
         Finding::NoWord(address) => among(
             language,
             [
-                format!("no {address} is in force"),
-                format!("没有有效的 {address}"),
-                format!("{address} не задано"),
+                format!("no feed rate {address} is programmed"),
+                format!("未指令进给速度 {address}"),
+                format!("подача {address} не задана"),
             ],
         ),
         Finding::NoCut => {
-            language.among(["the program does not cut", "程序没有切削", "программа не режет"]).to_owned()
+            language.among(["no cut to check", "没有可检查的切削", "нет проходов для проверки"]).to_owned()
         }
         Finding::NoAnswer => language.among(["no answer", "未回答", "нет ответа"]).to_owned(),
         Finding::Place(at) => point(*at),

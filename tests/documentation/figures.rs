@@ -174,7 +174,7 @@ pub const FIGURES: &[Figure] = &[
     ),
     figure(
         "www/docs/command-line.md",
-        "an escape and a retract of 1 mm",
+        "which are 1 mm until a program sets others",
         Held::Stated("src/control/modal.rs", "escape: 1.0,"),
     ),
     figure(

@@ -196,7 +196,7 @@ export interface GcodePlaygroundEvents {
   }>;
   /** Everything of a run is shown. */
   'gcode-settled': CustomEvent<{ readonly run: number }>;
-  /** The task of an exercise is shown, also in another language. */
+  /** The task of an exercise is shown, or shown again in another language. */
   'gcode-exercise': CustomEvent<{
     readonly id: string;
     readonly version: string;

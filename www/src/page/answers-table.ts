@@ -16,9 +16,8 @@ export function cellsOf(row: AnswerRow, texts: AnswersWords): string[] {
     return [name, ...HEAD_KEYS.slice(2).map(() => ''), fault === undefined ? '' : texts.fault(fault)];
   const { report, title, hints, sameAs } = graded;
   const others = sameAs.map((name) => (name === '' ? texts.noName : name));
-  const shown = others.length > MAX_NAMES ? [...others.slice(0, MAX_NAMES), '…'] : others;
   const notes = [
-    ...(others.length === 0 ? [] : [texts.sameAs(shown)]),
+    ...(others.length === 0 ? [] : [texts.sameAs(others.slice(0, MAX_NAMES), others.length > MAX_NAMES)]),
     ...(graded.isFromLink ? [texts.fromLink] : []),
     ...(graded.isOtherVersion ? [texts.otherVersion] : []),
   ];

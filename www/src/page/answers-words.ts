@@ -35,8 +35,8 @@ export const ANSWERS_WORDS = words({
     problems: (errors: number, warnings: number) => `${errors} / ${warnings}`,
     passed: 'passed',
     notPassed: 'not passed',
-    sameAs: (names: readonly string[]) => `same text as ${names.join(', ')}`,
-    fromLink: 'exercise as in the link: open its file to grade by it',
+    sameAs: (names: readonly string[], hasMore: boolean) => `same text as ${names.join(', ')}${hasMore ? ', …' : ''}`,
+    fromLink: 'exercise as in the link; to grade by your own file, open that file',
     otherVersion: 'another version of the exercise',
     head: {
       name: 'Name',
@@ -96,7 +96,7 @@ export const ANSWERS_WORDS = words({
     problems: (errors, warnings) => `${errors} / ${warnings}`,
     passed: '通过',
     notPassed: '未通过',
-    sameAs: (names) => `与“${names.join('、')}”的文本相同`,
+    sameAs: (names, hasMore) => `与${names.map((name) => `“${name}”`).join('、')}${hasMore ? '等' : ''}的程序文本相同`,
     fromLink: '按链接中的练习评判；如需按原文件评判，请打开练习文件',
     otherVersion: '练习版本不同',
     head: {
@@ -144,7 +144,7 @@ export const ANSWERS_WORDS = words({
     dropHere: 'Отпустите файлы с программами здесь',
     openFiles: 'Открыть файлы программ…',
     clear: 'Очистить',
-    undoClear: 'Вернуть',
+    undoClear: 'Отменить очистку',
     csv: 'CSV',
     print: 'Страница для печати',
     check: 'Проверить ссылки',
@@ -158,8 +158,9 @@ export const ANSWERS_WORDS = words({
     problems: (errors, warnings) => `${errors} / ${warnings}`,
     passed: 'выполнено',
     notPassed: 'не выполнено',
-    sameAs: (names) => `тот же текст: ${names.map((name) => (name === '…' ? name : `«${name}»`)).join(', ')}`,
-    fromLink: 'упражнение взято из ссылки; чтобы проверить по файлу, откройте его',
+    sameAs: (names, hasMore) =>
+      `тот же текст, что у ${names.map((name) => `«${name}»`).join(', ')}${hasMore ? ' и др.' : ''}`,
+    fromLink: 'упражнение взято из ссылки; чтобы проверить по своему файлу, откройте файл упражнения',
     otherVersion: 'другая версия упражнения',
     head: {
       name: 'Имя',
@@ -167,7 +168,7 @@ export const ANSWERS_WORDS = words({
       result: 'Итог',
       points: 'Баллы',
       part: 'Деталь',
-      failed: 'Невыполненные проверки',
+      failed: 'Непройденные проверки',
       problems: 'Ошибки / предупреждения',
       time: 'Время',
       codes: 'Коды',
@@ -183,7 +184,7 @@ export const ANSWERS_WORDS = words({
         case 'no-exercise':
           return 'В ответе не указано упражнение: выберите его выше.';
         case 'not-loaded':
-          return `Упражнение ${fault.id} не удалось загрузить: откройте его файл выше.`;
+          return `Упражнение «${fault.id}» не удалось загрузить: откройте файл упражнения кнопкой выше.`;
         case 'faulty-exercise':
           return `В файле упражнения ошибка в строке ${fault.line}: ${fault.message}`;
         case 'failed':

@@ -146,6 +146,10 @@ class MakeExerciseDialog {
     if (host === undefined || this.#program === undefined) return;
     const check = ++this.#check;
     const texts = WORDS[host.language];
+    if (this.#task.value.trim() === '') {
+      this.#status.textContent = texts.noTask;
+      return;
+    }
     const text = this.#text;
     const found = await host.playground.ask('grade-answer', { text, answer: this.#program }).catch(() => undefined);
     if (check !== this.#check) return;
@@ -206,7 +210,7 @@ const WORDS = words({
       task: 'Task',
       hints: 'Hints, one in each line (at most three)',
       start: 'Program that the learner begins with',
-      blocks: 'Blank, tools and wanted part; each tolerance is that of the size in parentheses after it',
+      blocks: 'Blank, tools and wanted part; a tolerance before parentheses applies to the size in them',
       require: 'Required codes',
       forbid: 'Forbidden codes',
       safeEnd: 'Least distance from the blank at the end, mm',
@@ -219,7 +223,8 @@ const WORDS = words({
     copied: 'Copied',
     notCopied: 'The browser does not allow copying. The link is selected: copy it by hand.',
     passes: 'Your program passes.',
-    fails: (wrong: string) => `Your program does not pass: ${wrong}`,
+    fails: (wrong: string) => `Your program does not pass. Failed: ${wrong}`,
+    noTask: 'Enter the task.',
     fault: (line: string, message: string) => `The exercise has a fault (“${line}”): ${message}`,
     none: (reason: string) => `There is no wanted part: ${reason}.`,
     failed: 'The program could not be run.',
@@ -235,7 +240,7 @@ const WORDS = words({
       task: '任务',
       hints: '提示，每行一条（最多三条）',
       start: '学生开始时的程序',
-      blocks: '毛坯、刀具和要求的零件；每个公差属于其后括号中的尺寸',
+      blocks: '毛坯、刀具和要求的零件；括号前的公差对应括号中的尺寸',
       require: '必须使用的代码',
       forbid: '禁止使用的代码',
       safeEnd: '结束时离毛坯的最小距离，mm',
@@ -248,7 +253,8 @@ const WORDS = words({
     copied: '已复制',
     notCopied: '浏览器不允许复制。链接已选中，请手动复制。',
     passes: '您的程序通过。',
-    fails: (wrong) => `您的程序未通过：${wrong}`,
+    fails: (wrong) => `您的程序未通过。未通过的检查：${wrong}`,
+    noTask: '请填写任务。',
     fault: (line, message) => `练习有错误（“${line}”）：${message}`,
     none: (reason) => `没有要求的零件：${reason}。`,
     failed: '无法运行此程序。',
@@ -264,7 +270,7 @@ const WORDS = words({
       task: 'Задание',
       hints: 'Подсказки, по одной в строке (не более трёх)',
       start: 'Программа, с которой начинает ученик',
-      blocks: 'Заготовка, инструменты и требуемая деталь; каждый допуск относится к размеру в скобках после него',
+      blocks: 'Заготовка, инструменты и требуемая деталь; допуск перед скобками относится к размеру в скобках',
       require: 'Обязательные коды',
       forbid: 'Запрещённые коды',
       safeEnd: 'Наименьшее расстояние от заготовки в конце, мм',
@@ -277,7 +283,8 @@ const WORDS = words({
     copied: 'Скопировано',
     notCopied: 'Браузер не разрешает копирование. Ссылка выделена: скопируйте её вручную.',
     passes: 'Ваша программа выполняет упражнение.',
-    fails: (wrong) => `Ваша программа не выполняет упражнение: ${wrong}`,
+    fails: (wrong) => `Ваша программа не выполняет упражнение. Не пройдено: ${wrong}`,
+    noTask: 'Введите задание.',
     fault: (line, message) => `В упражнении ошибка («${line}»): ${message}`,
     none: (reason) => `Требуемой детали нет: ${reason}.`,
     failed: 'Программу не удалось выполнить.',

@@ -203,7 +203,7 @@ const WORDS = words({
     endComparison: 'End comparison',
     same: 'Same as the reference',
     onlyKept: 'only in the reference',
-    onlyNow: 'only in this one',
+    onlyNow: 'only in this part',
     largest: (radial: string, z: string, axial: string, x: string) =>
       `Largest: ${radial} in radius at Z${z}; ${axial} along Z at X${x}`,
   },
@@ -240,9 +240,9 @@ const WORDS = words({
     keep: 'Запомнить деталь для сравнения',
     keepHint: 'Запомните деталь, затем измените программу или откройте другую: различие будет отмечено и измерено',
     endComparison: 'Закончить сравнение',
-    same: 'Как эталон',
-    onlyKept: 'только в эталоне',
-    onlyNow: 'только в этой',
+    same: 'Совпадает с образцом',
+    onlyKept: 'только в образце',
+    onlyNow: 'только в этой детали',
     largest: (radial, z, axial, x) => `Наибольшее: ${radial} по радиусу при Z${z}; ${axial} вдоль Z при X${x}`,
   },
 });
