@@ -80,7 +80,7 @@ class MakeExerciseDialog {
   /** The program that the blocks were made of. */
   #program: string | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** Number of checks; a late result of an earlier one is dropped. */
+  /** Number of checks and changes; a result of an earlier text is dropped. */
   #check = 0;
 
   constructor() {
@@ -121,6 +121,8 @@ class MakeExerciseDialog {
 
   #changed(): void {
     clearTimeout(this.#timer);
+    // A check in progress would offer the previous text.
+    this.#check++;
     this.#setReady(undefined);
     this.#timer = setTimeout(() => void this.#run(), CHECK_AFTER_MS);
   }
