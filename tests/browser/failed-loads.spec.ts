@@ -79,7 +79,11 @@ async function fails(page: Page, { message, status: statusText }: File): Promise
 const TRIGGERS: Readonly<Record<Refusal, (page: Page, message: string) => Promise<void>>> = {
   missing: (page) => press(page),
   closed: (page) => online(page),
-  corrupted: (page, message) => notice(page, message).getByRole('button', { name: 'Try again' }).click(),
+  corrupted: (page, message) =>
+    // An edit retries, too, so the notice may be gone: then a click would wait for it.
+    notice(page, message).evaluateAll((notices) => {
+      for (const notice of notices) notice.querySelector('button')?.click();
+    }),
 };
 
 /** Types into the program, whether or not the editor is loaded. */

@@ -240,13 +240,13 @@ async function look({
   });
   const pictures = [...new Set(part.views.map(({ picture }) => picture))];
   const small = { width, height, pixelRatio: 1 };
-  const pixels = (picture: string, from: number, ratio: number): Uint8ClampedArray =>
+  const pixels = (picture: string, fromX: number, fromY: number, ratio: number): Uint8ClampedArray =>
     talk.images
       .get(picture)!
       .getContext('2d')!
       .getImageData(
-        ratio * (from + rulers.left),
-        ratio * from,
+        ratio * (fromX + rulers.left),
+        ratio * fromY,
         ratio * (width - rulers.left),
         ratio * (height - rulers.bottom),
       ).data;
@@ -269,13 +269,15 @@ async function look({
       change({ kind: 'fit' }),
       change({ kind: 'zoom', factor, x: x * width, y: y * height }),
     );
-    const cut = pixels(picture, 0, ratio);
-    // The centre stays in place: the picture grows by the margin on each side, enough for the whole part.
-    const margin = Math.ceil(factor * width);
+    const cut = pixels(picture, 0, 0, ratio);
+    // The centre stays in place: the picture grows by the margins on both sides, enough for all that the fitted picture
+    // showed.
+    const marginX = Math.ceil((factor - 1) * Math.max(x, 1 - x) * width);
+    const marginY = Math.ceil((factor - 1) * Math.max(y, 1 - y) * height);
     await talk.say(
-      change({ kind: 'resize', size: { width: width + 2 * margin, height: height + 2 * margin, pixelRatio: ratio } }),
+      change({ kind: 'resize', size: { width: width + 2 * marginX, height: height + 2 * marginY, pixelRatio: ratio } }),
     );
-    const whole = pixels(picture, margin, ratio);
+    const whole = pixels(picture, marginX, marginY, ratio);
     const colours = new Set<number>();
     const across = ratio * (width - rulers.left);
     const near = (pixel: number, other: number): boolean =>

@@ -387,6 +387,20 @@ export class ForeignPage extends Finder implements Page {
     };
     return Promise.race([describe(), pause(3000, 'the page gives no answer')]).catch((error: unknown) => String(error));
   }
+  /** For error messages: the document with its shadow roots and the files it has loaded. */
+  async contents(): Promise<string> {
+    const contents = this.tab.evaluate(
+      call(
+        `() => {
+          const files = performance.getEntriesByType('resource').map(({ name, responseEnd }) => name + ' ' + responseEnd);
+          const roots = [...document.querySelectorAll('*')].map(({ shadowRoot }) => shadowRoot?.innerHTML ?? '');
+          return [innerWidth + ' × ' + innerHeight, ...files, document.documentElement.outerHTML, ...roots].join('\\n');
+        }`,
+        [],
+      ),
+    ) as Promise<string>;
+    return Promise.race([contents, pause(3000, 'the page gives no answer')]).catch((error: unknown) => String(error));
+  }
   private async errors(): Promise<string[]> {
     return (await this.tab.errors()).filter((error) => !error.includes(LATE_SIZES));
   }

@@ -9,7 +9,7 @@ import {
   type PlaywrightWorkerOptions,
   type TestType,
 } from '@playwright/test';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { noteCrash, refuseSecondTry } from './crashes';
 import type { Driver } from './driver';
@@ -75,6 +75,7 @@ const extended = base.extend<TestOptions, WorkerFixtures>({
       const page = new ForeignPage(await driver.open(), finder, server);
       if (storing === 'off') await page.addInitScript(withoutStoring);
       await use(page as never);
+      if (testInfo.errors.length > 0) writeFileSync(testInfo.outputPath('page.txt'), await page.contents());
       await page.close();
     } catch (error) {
       noteCrash(testInfo, error);

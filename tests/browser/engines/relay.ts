@@ -17,16 +17,42 @@ const ERRORS = `globalThis.errorsOfPage = [];
 addEventListener('error', ({ error, message }) => errorsOfPage.push(message + '\\n' + (error?.stack ?? '')));
 addEventListener('unhandledrejection', ({ reason }) => errorsOfPage.push(reason + '\\n' + (reason?.stack ?? '')));`;
 
+interface File {
+  readonly status: number;
+  readonly type: string;
+  readonly body: Buffer;
+}
+
+/** The files of the page's server, which do not change during the tests. */
+const files = new Map<string, Promise<File>>();
+
+async function load(address: string, accept: string): Promise<File> {
+  const answer = await fetch(address, { headers: { accept } });
+  return {
+    status: answer.status,
+    type: answer.headers.get('content-type') ?? 'application/octet-stream',
+    body: Buffer.from(await answer.arrayBuffer()),
+  };
+}
+
+function file(address: string, accept: string): Promise<File> {
+  const key = `${accept} ${address}`;
+  const known = files.get(key);
+  if (known !== undefined) return known;
+  const loading = load(address, accept);
+  // Documents have a new query each time.
+  if (!address.includes('?')) files.set(key, loading);
+  loading.catch(() => files.delete(key));
+  return loading;
+}
+
 export async function relay(server: string): Promise<Relay> {
   const origin = new URL(server).origin;
   const scripts: string[] = [];
   const http = createServer((request, response) => {
     void (async () => {
-      const answer = await fetch(origin + (request.url ?? '/'), {
-        headers: { accept: request.headers.accept ?? '*/*' },
-      });
-      const type = answer.headers.get('content-type') ?? 'application/octet-stream';
-      let body = Buffer.from(await answer.arrayBuffer());
+      const { status, type, body: stored } = await file(origin + (request.url ?? '/'), request.headers.accept ?? '*/*');
+      let body = stored;
       if (type.startsWith('text/html')) {
         const put = `<script>${[ERRORS, ...scripts].join(';\n').replaceAll('</', '<\\/')}</script>`;
         body = Buffer.from(
@@ -35,7 +61,7 @@ export async function relay(server: string): Promise<Relay> {
             .replace(/<head>|<meta charset/i, (found) => (found === '<head>' ? found + put : put + found)),
         );
       }
-      response.writeHead(answer.status, {
+      response.writeHead(status, {
         'content-type': type,
         'content-length': body.length,
         'cache-control': 'no-store',
