@@ -207,7 +207,17 @@ async function begin(machine: Machine): Promise<Session> {
   })) as { sessionId: string };
   const path = `/session/${sessionId}`;
   const window = (await machine.call('GET', `${path}/window`)) as string;
+  await firstLoad(machine, path);
   return { path, window, windows: new Set([window]), current: window };
+}
+
+/** On a busy machine, the first load of a session is sometimes lost: the page stays blank, or shows an error. */
+async function firstLoad({ call }: Machine, path: string): Promise<void> {
+  for (let tries = 0; tries < 20; tries++, await pause(100)) {
+    await call('POST', `${path}/url`, { url: 'data:text/html,<title>ready</title>' }).catch(() => undefined);
+    if ((await call('GET', `${path}/title`)) === 'ready') return;
+  }
+  throw new Error('WebKit: no page can be loaded');
 }
 
 class WebKitTab implements Tab {
@@ -233,7 +243,6 @@ class WebKitTab implements Tab {
   async goto(address: string): Promise<void> {
     const url = this.relay.inFront(address);
     await this.call('POST', '/url', { url });
-    // On a busy machine, WebKitWebDriver sometimes loses the first load of a session: the page stays blank.
     if ((await this.call('GET', '/url')) === 'about:blank') await this.call('POST', '/url', { url });
   }
   async reload(): Promise<void> {
