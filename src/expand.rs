@@ -34,9 +34,14 @@ use crate::units::{Diameter, Unit};
 
 /// Expands a program; returns it unchanged if it has no expansion.
 pub fn expand(text: &[u8], setup: &Setup) -> String {
+    expansion(text, setup).unwrap_or_else(|| String::from_utf8_lossy(text).into_owned())
+}
+
+/// The expanded program; `None` if it would make other motions.
+pub fn expansion(text: &[u8], setup: &Setup) -> Option<String> {
     let mut run = Run::new(text.to_vec(), setup.clone()).traced();
     while !run.advance(usize::MAX) {}
-    write_out(text, &run.into_analysis()).unwrap_or_else(|| String::from_utf8_lossy(text).into_owned())
+    write_out(text, &run.into_analysis())
 }
 
 /// Expands a program whose run recorded a trace. `None` if the expanded program would make other motions.

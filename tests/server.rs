@@ -14,9 +14,11 @@ mod stream;
 mod wrong;
 
 use client::{Client, PART, at, edited, range, usual_capabilities};
+use gcode_playground::analyze;
 use gcode_playground::sentences::Language;
 use gcode_playground::server::Options;
 use gcode_playground::server::host::NoFiles;
+use gcode_playground::setup::Setup;
 use serde_json::{Value, json};
 
 /// The X in line 4 has no number.
@@ -257,4 +259,61 @@ fn plain_moves_are_offered_as_a_cycle() {
         edited(text, &offers[0]["edit"])
     );
     assert_eq!(actions(&mut client, 8, &["refactor"]), Vec::<Value>::new(), "elsewhere");
+}
+
+/// A program with a cycle; G90 makes four moves.
+const WITH_CYCLE: &str = "O1\nT0101 M3 S800 G99\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nG00 X100 Z100\nM30\n";
+
+#[test]
+fn cycles_are_expanded_to_plain_moves() {
+    let moves = |text: &str| {
+        let analysis = analyze(text.as_bytes(), &Setup::default());
+        let motions = analysis.motions.iter();
+        motions.map(|motion| (motion.kind, motion.from, motion.to)).collect::<Vec<_>>()
+    };
+    for line_end in ["\n", "\r\n"] {
+        let text = WITH_CYCLE.replace('\n', line_end);
+        let mut client = Client::new();
+        client.open(&text);
+        let offers = actions(&mut client, 0, &["refactor.rewrite.expand"]);
+        assert_eq!(offers.len(), 1, "{offers:?}");
+        assert_eq!(offers[0]["title"], "Expand the program to plain moves");
+        let after = edited(&text, &offers[0]["edit"]);
+        // The cycle stays as a comment.
+        assert!(!after.contains("\nG90") && after.contains("\nG01 X50. Z-30. F0.2"), "{after}");
+        assert_eq!(after.matches('\n').count(), after.matches(line_end).count(), "{after:?}");
+        assert!(!after.contains("\r\r"), "{after:?}");
+        assert_eq!(moves(&after), moves(&text));
+    }
+    let mut client = Client::new();
+    client.open("O1\nG00 X62 Z2\nM30\n");
+    assert_eq!(actions(&mut client, 0, &["refactor.rewrite.expand"]), Vec::<Value>::new(), "no cycle");
+}
+
+#[test]
+fn the_expansion_is_made_when_it_is_chosen() {
+    let mut capabilities = usual_capabilities();
+    capabilities["textDocument"]["codeAction"] = json!({"resolveSupport": {"properties": ["edit"]}});
+    let mut client = Client::with(capabilities);
+    client.open(WITH_CYCLE);
+    let offers = actions(&mut client, 0, &["refactor"]);
+    assert_eq!((offers.len(), offers[0].get("edit")), (1, None));
+    let resolved = client.request("codeAction/resolve", offers[0].clone());
+    assert!(edited(WITH_CYCLE, &resolved["edit"]).contains("\nG01 X50. Z-30. F0.2"), "{resolved}");
+}
+
+#[test]
+fn a_program_is_formatted_as_by_the_command() {
+    let options = json!({"textDocument": {"uri": PART}, "options": {"tabSize": 4, "insertSpaces": true}});
+    let text = "O1\r\ng0x50z2(外圆)\r\nG1 Z-30F.2\r\nM30\r\n";
+    let mut client = Client::new();
+    client.open(text);
+    let edits = client.request("textDocument/formatting", options.clone());
+    let after = edited(text, &json!({"changes": {PART: edits}}));
+    assert_eq!(after, "O1\r\nG00 X50 Z2 (外圆)\r\nG01 Z-30 F.2\r\nM30\r\n");
+    client.open(&after);
+    assert_eq!(client.request("textDocument/formatting", options.clone()), json!([]), "the second time");
+    client.open("%_N_PART_MPF\nN10 G0 X50 Z2\nn20 g1 x40 f.2\nM30\n");
+    let answer = client.answer("textDocument/formatting", options);
+    assert_eq!(answer["error"]["message"], "not formatted: it is a program for another control");
 }

@@ -9,7 +9,7 @@ use tsify::Tsify;
 use super::Places;
 use crate::assist::Query;
 use crate::assist::complete::{Item, ProposalKind};
-use crate::assist::fact::Fact;
+use crate::assist::fact::{Fact, Quantity};
 use crate::assist::form::Form;
 use crate::assist::hover::Hover;
 use crate::assist::names::{Name, Named};
@@ -533,6 +533,11 @@ impl Reader<'_> {
     fn line(&self, fact: &Fact) -> HelpLine {
         let at = block_of(fact).map(|byte| self.offset(byte));
         HelpLine { text: self.speak(|speaker| speaker.fact(fact)), at }
+    }
+
+    /// A number with its unit.
+    pub fn quantity(&self, quantity: Quantity) -> String {
+        self.speak(|speaker| speaker.quantity(quantity))
     }
 
     fn speak<R>(&self, say: impl FnOnce(&Speaker) -> R) -> R {

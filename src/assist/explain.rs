@@ -265,8 +265,13 @@ fn of_cycle(cycle: Cycle, motions: &[Motion], start: Point) -> Vec<Action> {
     }
 }
 
-/// Number of passes of this block. Pass numbers continue while a cycle is modal.
-fn number_of_passes(motions: &[Motion]) -> u32 {
+/// Whether the steps of a cycle are passes: those of others are pecks.
+pub fn has_passes(cycle: Cycle) -> bool {
+    matches!(cycle.family(), CycleFamily::Turning | CycleFamily::Threading | CycleFamily::Contour)
+}
+
+/// Number of passes among the motions of a block. Pass numbers continue while a cycle is modal.
+pub fn number_of_passes(motions: &[Motion]) -> u32 {
     let passes =
         motions.iter().filter_map(|motion| motion.cycle.map(|step| step.pass)).filter(|pass| *pass > 0);
     let (mut least, mut most) = (u32::MAX, 0);

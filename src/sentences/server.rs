@@ -2,6 +2,7 @@
 //!
 //! In: a refusal, a line. Out: a short sentence in a language.
 
+use super::difference::clock;
 use super::language::Language;
 use crate::assist::rename::Refusal;
 
@@ -12,6 +13,52 @@ pub fn fix_all(language: Language) -> &'static str {
         "修复所有可安全修复的问题",
         "Исправить всё, что можно исправить безопасно",
     ])
+}
+
+/// The title of the action that expands the program.
+pub fn expand(language: Language) -> &'static str {
+    language.among([
+        "Expand the program to plain moves",
+        "将程序展开为普通移动指令",
+        "Развернуть программу в простые перемещения",
+    ])
+}
+
+/// The reason why a program has no expansion.
+pub fn not_expanded(language: Language) -> &'static str {
+    language.among([
+        "not expanded: the motions would not stay the same",
+        "未展开：展开后的运动轨迹会改变",
+        "не развёрнуто: перемещения изменились бы",
+    ])
+}
+
+/// The reason why a program is not formatted, with its line, from 1.
+pub fn not_formatted(line: Option<u32>, reason: &str, language: Language) -> String {
+    let place = line.map(|number| self::line(number, language));
+    let separator = language.among([": ", "：", ": "]);
+    let head = language.among(["not formatted", "未整理格式", "не отформатировано"]);
+    let parts = [Some(head.to_owned()), place, Some(reason.to_owned())];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(separator)
+}
+
+/// The passes of a cycle, and the time of a cycle or a tool, in seconds; `None` if neither is known.
+pub fn work(passes: Option<u32>, seconds: Option<f64>, language: Language) -> Option<String> {
+    let passes = passes.map(|passes| self::passes(passes, language));
+    let parts: Vec<String> = passes.into_iter().chain(seconds.map(clock)).collect();
+    (!parts.is_empty()).then(|| parts.join(language.among([", ", "，", ", "])))
+}
+
+/// A number of passes.
+pub fn passes(passes: u32, language: Language) -> String {
+    match (passes, language) {
+        (1, Language::English) => "1 pass".to_owned(),
+        _ => with(
+            language,
+            ["{passes} passes", "走刀 {passes} 次", "проходов: {passes}"],
+            &[("{passes}", passes)],
+        ),
+    }
 }
 
 /// A line of the program, from 1, that belongs to a message.

@@ -1,7 +1,8 @@
-//! Code actions: the fixes of the messages, all safe fixes in one action, and plain moves as a cycle.
+//! Code actions: the fixes of the messages, all safe fixes in one action, plain moves as a cycle, and the program
+//! as plain moves.
 //!
-//! In: a range. Out: actions with their edits. If the client can ask for an edit later, the edit of all
-//! safe fixes is made only when the user chooses it.
+//! In: a range. Out: actions with their edits. If the client can ask for an edit later, the edit of the whole
+//! program is made only when the user chooses it.
 
 use gen_lsp_types::{
     CodeAction, CodeActionContext, CodeActionKind, CodeActionParams, CodeActionResponse,
@@ -12,15 +13,20 @@ use serde_json::json;
 use super::client::FIX_ALL;
 use super::context::Asked;
 use super::diagnostics::diagnostic;
-use super::message::Failure;
+use super::message::{Failure, Reason};
+use super::rewritten::{changed_lines, changed_middle};
+use crate::expand::expansion;
 use crate::message::{Diagnostic, Edit, Fix};
 use crate::repair::{repaired_of, safe};
 use crate::rewrite::offers;
+use crate::run::Run;
 use crate::sentences::server;
 use crate::source::{Span, line_around};
 
 /// Longest text, bytes, that is searched for cycles without being asked for.
 const SEARCHED: usize = 256 << 10;
+/// The kind of the action that expands the program.
+const EXPAND: &str = "refactor.rewrite.expand.gcode-playground";
 
 /// The answer to `textDocument/codeAction`.
 pub fn actions(asked: &Asked, params: &CodeActionParams) -> Result<Option<Vec<CodeActionResponse>>, Failure> {
@@ -35,14 +41,23 @@ pub fn actions(asked: &Asked, params: &CodeActionParams) -> Result<Option<Vec<Co
     if wants(wanted, &CodeActionKind::RefactorRewrite) && may_search(asked, wanted) {
         actions.extend(cycles(asked, span));
     }
+    if wants(wanted, &EXPAND.into_kind()) {
+        actions.extend(expand_all(asked, span, wanted));
+    }
     Ok(Some(actions.into_iter().map(CodeActionResponse::CodeAction).collect()))
 }
 
 /// The answer to `codeAction/resolve`: the action with its edit.
 pub fn resolved(asked: &Asked, action: &CodeAction) -> Result<CodeAction, Failure> {
-    let is_fix_all = action.kind == Some(FIX_ALL.into_kind());
-    let edit = is_fix_all.then(|| asked.edits(&all_fixes(asked)));
-    Ok(CodeAction { edit: edit.or_else(|| action.edit.clone()), ..action.clone() })
+    let edit = match &action.kind {
+        Some(kind) if *kind == FIX_ALL.into_kind() => Some(asked.edits(&all_fixes(asked))),
+        Some(kind) if *kind == EXPAND.into_kind() => {
+            let refused = || Failure::new(Reason::RequestFailed, server::not_expanded(asked.language));
+            Some(asked.edits(&[expanded(asked).ok_or_else(refused)?]))
+        }
+        _ => action.edit.clone(),
+    };
+    Ok(CodeAction { edit, ..action.clone() })
 }
 
 trait IntoKind {
@@ -106,6 +121,52 @@ fn fix_all(asked: &Asked) -> Option<CodeAction> {
     })
 }
 
+/// The action that expands the program, if a cycle is at the span or if the client requests the kind.
+fn expand_all(asked: &Asked, span: Span, context: &CodeActionContext) -> Option<CodeAction> {
+    let run = asked.document.run();
+    // The text of a document cannot contain the subprograms of other files.
+    let is_whole = run.text().len() == asked.text().len();
+    let lines = if context.only.is_some() { Span::new(0, asked.text().len()) } else { lines_of(asked, span) };
+    if !is_whole || !has_cycle(run, lines) {
+        return None;
+    }
+    let edit = match asked.client.resolves_edits {
+        true => None,
+        false if may_search(asked, context) => Some(asked.edits(&[expanded(asked)?])),
+        false => return None,
+    };
+    Some(CodeAction {
+        title: server::expand(asked.language).to_owned(),
+        kind: Some(EXPAND.into_kind()),
+        edit,
+        data: Some(json!({"address": asked.address})),
+        ..CodeAction::default()
+    })
+}
+
+/// Whether a cycle moves in some lines.
+fn has_cycle(run: &Run, lines: Span) -> bool {
+    let motions = run.motions();
+    let is_there = |index: usize| {
+        let block = motions.span(index);
+        block.start <= lines.end && lines.start <= block.end
+    };
+    (0..motions.len()).any(|index| is_there(index) && motions.get(index).cycle.is_some())
+}
+
+/// The edit that expands the program; `None` if its motions would not stay the same, or if there is nothing to expand.
+fn expanded(asked: &Asked) -> Option<Edit> {
+    let setup = asked.document.run().setup_to_repeat();
+    let expanded = asked.with_line_ends(&expansion(asked.text(), &setup)?);
+    (expanded.as_bytes() != asked.text()).then(|| changed_middle(asked.text(), expanded.as_bytes()))
+}
+
+/// The lines that a span touches.
+fn lines_of(asked: &Asked, span: Span) -> Span {
+    let line = |byte: u32| line_around(asked.text(), byte as usize);
+    line(span.start).to(line(span.end))
+}
+
 /// The edits of all safe fixes, as `check --fix` makes them. None if they do not come to an end.
 fn all_fixes(asked: &Asked) -> Vec<Edit> {
     let settings = asked.document.settings();
@@ -113,42 +174,10 @@ fn all_fixes(asked: &Asked) -> Vec<Edit> {
     if repaired.open.is_some() { Vec::new() } else { changed_lines(asked.text(), &repaired.text) }
 }
 
-/// The edits that change a text into another one: one for each changed line if both have the same number of
-/// lines.
-fn changed_lines(before: &[u8], after: &[u8]) -> Vec<Edit> {
-    let (old, new): (Vec<_>, Vec<_>) = (lines(before), lines(after));
-    if old.len() != new.len() {
-        return vec![changed_middle(before, after)];
-    }
-    let pairs = old.iter().zip(&new);
-    let changed = pairs.filter(|(old, new)| old.of(before) != new.of(after));
-    changed.map(|(old, new)| Edit { span: *old, text: new.quote(after) }).collect()
-}
-
-/// The edit of the lines between those that are the same at the begin and at the end.
-fn changed_middle(before: &[u8], after: &[u8]) -> Edit {
-    let same = before.iter().zip(after).take_while(|(old, new)| old == new).count();
-    let start = line_around(before, same).start as usize;
-    let rest = before[start..].iter().rev().zip(after[start..].iter().rev());
-    let same = rest.take_while(|(old, new)| old == new).count();
-    // A character is not cut.
-    let is_cut = |byte: &usize| before.get(*byte).is_some_and(|byte| byte & 0xC0 == 0x80);
-    let end = (before.len() - same..=before.len()).find(|byte| !is_cut(byte)).unwrap_or(before.len());
-    let behind = before.len() - end;
-    let text = String::from_utf8_lossy(&after[start..after.len() - behind]).into_owned();
-    Edit { span: Span::new(start, end), text }
-}
-
-/// The spans of the lines, without their line ends.
-fn lines(text: &[u8]) -> Vec<Span> {
-    let index = crate::source::LineIndex::new(text);
-    (0..index.len()).map(|line| index.line(text, line)).collect()
-}
-
 /// The plain moves at a span that form a cycle.
 fn cycles(asked: &Asked, span: Span) -> Vec<CodeAction> {
     let text = asked.text();
-    let lines = line_around(text, span.start as usize).to(line_around(text, span.end as usize));
+    let lines = lines_of(asked, span);
     let setup = asked.document.run().setup_to_repeat();
     let offers = offers(text, &setup, Some(span)).into_iter();
     let here = offers.filter(|offer| offer.span.start <= lines.end && lines.start <= offer.span.end);
@@ -164,23 +193,6 @@ fn cycles(asked: &Asked, span: Span) -> Vec<CodeAction> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::message::applied;
-
-    #[test]
-    fn the_edits_lead_from_one_text_to_the_other() {
-        for (before, after, edits) in [
-            ("GO1\nX5\nZ–2\n", "G01\nX5\nZ-2\n", 2),
-            ("G0 X1\nG1", "G0 X1\nG1\nM30", 1),
-            ("a外\nb", "a外\nb", 0),
-            ("a外\nb\nc", "a夕\nc", 1),
-            ("外", "外\n外", 1),
-            ("", "M30\n", 1),
-        ] {
-            let found = changed_lines(before.as_bytes(), after.as_bytes());
-            assert_eq!(found.len(), edits, "{before:?}");
-            assert_eq!(String::from_utf8_lossy(&applied(before.as_bytes(), &found)), after);
-        }
-    }
 
     #[test]
     fn a_kind_contains_those_below_it() {

@@ -11,6 +11,17 @@ use crate::sentences::Language;
 /// The kind of the action that applies all safe fixes.
 pub const FIX_ALL: &str = "source.fixAll.gcode-playground";
 
+/// The hints that a client requests, besides those of U and W.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct HintKinds {
+    /// The code in force, before the words of a move.
+    pub code: bool,
+    /// The feed per minute, after a feed per revolution.
+    pub feed: bool,
+    /// The number of passes, after the code of a cycle.
+    pub passes: bool,
+}
+
 /// What the client can do.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Client {
@@ -24,6 +35,10 @@ pub struct Client {
     pub pulls_diagnostics: bool,
     /// Whether it supports `workspace/diagnostic/refresh`.
     pub refreshes_diagnostics: bool,
+    /// Whether it supports `workspace/inlayHint/refresh`.
+    pub refreshes_hints: bool,
+    /// Whether it supports `workspace/codeLens/refresh`.
+    pub refreshes_lenses: bool,
     /// Whether it shows places that belong to a diagnostic.
     pub shows_related: bool,
     /// Whether it renders Markdown in a hover.
@@ -38,6 +53,10 @@ pub struct Client {
     pub checks_versions: bool,
     /// Whether it asks for the edit of an action when the user chooses the action.
     pub resolves_edits: bool,
+    /// The hints that it requests.
+    pub hints: HintKinds,
+    /// Whether it requests lenses with times and passes.
+    pub shows_lenses: bool,
     /// Whether it tells when files change.
     pub watches_files: bool,
 }
@@ -62,6 +81,8 @@ impl Client {
             pages: at("/initializationOptions/pages").as_str().map(site),
             pulls_diagnostics: at(&format!("{document}/diagnostic")).is_object(),
             refreshes_diagnostics: has("/capabilities/workspace/diagnostics/refreshSupport"),
+            refreshes_hints: has("/capabilities/workspace/inlayHint/refreshSupport"),
+            refreshes_lenses: has("/capabilities/workspace/codeLens/refreshSupport"),
             shows_related: has_document("publishDiagnostics/relatedInformation")
                 || has_document("diagnostic/relatedInformation"),
             reads_markdown: lists(&format!("{document}/hover/contentFormat"), "markdown"),
@@ -72,6 +93,11 @@ impl Client {
             nests_symbols: has_document("documentSymbol/hierarchicalDocumentSymbolSupport"),
             checks_versions: has("/capabilities/workspace/workspaceEdit/documentChanges"),
             resolves_edits: lists(&format!("{document}/codeAction/resolveSupport/properties"), "edit"),
+            hints: {
+                let has = |name| lists("/initializationOptions/hints", name);
+                HintKinds { code: has("code"), feed: has("feed"), passes: has("passes") }
+            },
+            shows_lenses: has("/initializationOptions/codeLens"),
             watches_files: has("/capabilities/workspace/didChangeWatchedFiles/dynamicRegistration"),
         }
     }

@@ -110,12 +110,17 @@ impl<'a> Asked<'a> {
 
     /// Edits of the document, for the client.
     pub fn edits(&self, edits: &[Edit]) -> WorkspaceEdit {
+        self.workspace_edit(self.text_edits(edits))
+    }
+
+    /// Edits of the document, by themselves.
+    pub fn text_edits(&self, edits: &[Edit]) -> Vec<TextEdit> {
         let (positions, line_end) = (self.positions(), only_line_end(self.text()));
         let edit = |edit: &Edit| TextEdit {
             range: positions.range(edit.span),
             new_text: with_line_end(&edit.text, line_end),
         };
-        self.workspace_edit(edits.iter().map(edit).collect())
+        edits.iter().map(edit).collect()
     }
 
     /// New text with the line ends of the document.
@@ -138,6 +143,7 @@ impl<'a> Asked<'a> {
     }
 }
 
+/// A text with other line ends; those of the document may be in it already.
 fn with_line_end(new: &str, line_end: &str) -> String {
-    if line_end == "\n" { new.to_owned() } else { new.replace('\n', line_end) }
+    if line_end == "\n" { new.to_owned() } else { new.replace("\r\n", "\n").replace('\n', line_end) }
 }

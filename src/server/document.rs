@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use gen_lsp_types::{self as lsp, Position, TextDocumentContentChangePartial};
 
+use super::client::{Client, HintKinds};
 use super::hinting::{Hint, Hinting};
 use super::host::{Host, Settings};
 use super::positions::{Encoding, Positions};
@@ -165,7 +166,7 @@ impl Document {
     // ---- preparation ------------------------------------------------------------------------------------
 
     /// Prepares what a request needs, in one slice; returns true once it is ready.
-    pub fn prepare(&mut self, address: &str, host: &dyn Host, need: Need, encoding: Encoding) -> bool {
+    pub fn prepare(&mut self, address: &str, host: &dyn Host, need: Need, client: &Client) -> bool {
         if need == Need::Text {
             return true;
         }
@@ -176,8 +177,8 @@ impl Document {
         match need {
             Need::Text => true,
             Need::Messages => self.find_messages(),
-            Need::Place(position) => self.find_block(self.positions(encoding).byte(position)),
-            Need::Hints(range) => self.find_hints(self.positions(encoding).span(range)),
+            Need::Place(position) => self.find_block(self.positions(client.encoding).byte(position)),
+            Need::Hints(range) => self.find_hints(self.positions(client.encoding).span(range), client.hints),
         }
     }
 
@@ -247,7 +248,7 @@ impl Document {
     }
 
     /// Finds the hints in a span, in one slice.
-    fn find_hints(&mut self, span: Span) -> bool {
+    fn find_hints(&mut self, span: Span, kinds: HintKinds) -> bool {
         let end = self.end_of_program();
         let span = Span { start: span.start.min(end), end: span.end.min(end) };
         self.asked = None;
@@ -255,7 +256,7 @@ impl Document {
         let Self { current, question, hinting, .. } = self;
         let hinting = match hinting {
             Some(hinting) if hinting.is_about(run, span) => hinting,
-            hinting => hinting.insert(Hinting::new(current.run(), span)),
+            hinting => hinting.insert(Hinting::new(current.run(), span, kinds)),
         };
         hinting.advance(current, question, REPLAYED_BLOCKS)
     }

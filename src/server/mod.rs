@@ -13,15 +13,18 @@ mod completion;
 mod context;
 mod diagnostics;
 mod document;
+mod formatting;
 mod hinting;
 mod hints;
 pub mod host;
 mod hover;
+mod lenses;
 mod links;
 mod message;
 mod navigation;
 mod positions;
 mod rename;
+mod rewritten;
 mod signature;
 mod symbols;
 mod tasks;
@@ -225,7 +228,7 @@ impl<H: Host> Server<H> {
     fn prepare(&mut self, address: &str, need: Need) -> bool {
         let Self { host, client, documents, .. } = self;
         let document = documents.get_mut(address);
-        document.is_none_or(|document| document.prepare(address, host, need, client.encoding))
+        document.is_none_or(|document| document.prepare(address, host, need, client))
     }
 
     fn context(&self) -> Context<'_> {
@@ -400,12 +403,16 @@ impl<H: Host> Server<H> {
             .collect()
     }
 
-    /// Tells a client that asks for diagnostics to ask again.
+    /// Tells the client to ask again for what depends on files.
     fn refreshed(&mut self) -> Vec<String> {
-        if !(self.client.pulls_diagnostics && self.client.refreshes_diagnostics) {
-            return Vec::new();
-        }
-        vec![self.ask("workspace/diagnostic/refresh", Value::Null)]
+        let client = &self.client;
+        let requests = [
+            (client.pulls_diagnostics && client.refreshes_diagnostics, "workspace/diagnostic/refresh"),
+            (client.refreshes_hints, "workspace/inlayHint/refresh"),
+            (client.shows_lenses && client.refreshes_lenses, "workspace/codeLens/refresh"),
+        ];
+        let wanted = requests.into_iter().filter(|(is_wanted, _)| *is_wanted);
+        wanted.map(|(_, method)| self.ask(method, Value::Null)).collect()
     }
 }
 

@@ -3,11 +3,12 @@
 //! In: a method and its parameters. Out: a [`Task`], which waits until its document is prepared.
 
 use gen_lsp_types::{
-    CodeAction, CodeActionRequest, CompletionRequest, DefinitionParams, DocumentDiagnosticRequest,
-    DocumentHighlightRequest, DocumentLinkRequest, DocumentSymbolRequest, FoldingRangeRequest, HoverRequest,
-    InlayHintRequest, LspRequestMethod, PrepareRenameRequest, ReferencesRequest, RenameRequest, Request,
-    SemanticTokensRangeRequest, SemanticTokensRequest, SignatureHelpRequest, TextDocumentIdentifier,
-    TextDocumentPositionParams, Uri, WorkspaceSymbolParams,
+    CodeAction, CodeActionRequest, CodeLensRequest, CompletionRequest, DefinitionParams,
+    DocumentDiagnosticRequest, DocumentFormattingRequest, DocumentHighlightRequest, DocumentLinkRequest,
+    DocumentSymbolRequest, FoldingRangeRequest, HoverRequest, InlayHintRequest, LspRequestMethod,
+    PrepareRenameRequest, ReferencesRequest, RenameRequest, Request, SemanticTokensRangeRequest,
+    SemanticTokensRequest, SignatureHelpRequest, TextDocumentIdentifier, TextDocumentPositionParams, Uri,
+    WorkspaceSymbolParams,
 };
 use serde_json::Value;
 
@@ -15,7 +16,8 @@ use super::context::{Asked, Context};
 use super::document::Need;
 use super::message::{Failure, Id, Reason};
 use super::{
-    actions, completion, diagnostics, hints, hover, links, navigation, rename, signature, symbols, tokens,
+    actions, completion, diagnostics, formatting, hints, hover, lenses, links, navigation, rename, signature,
+    symbols, tokens,
 };
 
 /// A request that is not answered yet.
@@ -61,6 +63,9 @@ fn parse(method: LspRequestMethod, params: Value) -> Option<Parsed> {
             about::<CodeActionRequest>(params, |p| (&p.text_document, Need::Messages), actions::actions)
         }
         Method::CodeActionResolve => resolve(params),
+        Method::TextDocumentCodeLens => {
+            about::<CodeLensRequest>(params, |p| (&p.text_document, Need::Messages), lenses::lenses)
+        }
         Method::TextDocumentHover => {
             about::<HoverRequest>(params, |p| place(&p.text_document_position_params), hover::hover)
         }
@@ -108,6 +113,11 @@ fn parse(method: LspRequestMethod, params: Value) -> Option<Parsed> {
         Method::TextDocumentDocumentLink => {
             about::<DocumentLinkRequest>(params, |p| (&p.text_document, Need::Text), links::links)
         }
+        Method::TextDocumentFormatting => about::<DocumentFormattingRequest>(
+            params,
+            |p| (&p.text_document, Need::Messages),
+            formatting::formatting,
+        ),
         Method::TextDocumentDefinition => definition(params),
         Method::WorkspaceSymbol => workspace_symbols(params),
         _ => return None,

@@ -46,7 +46,7 @@ local function main()
   vim.fn.mkdir(folder)
   local part = folder .. '/part.nc'
   -- O for 0 in `X3O`; P of M99 leads to N10.
-  vim.fn.writefile({ 'O0001', 'N10 G00 X3O Z2', 'G01 U4 W-12 F0.2', '/M99 P10', 'M30' }, part)
+  vim.fn.writefile({ 'O0001', 'N10 G00 X3O Z2', 'G01 U4 W-12 F0.2', '/M99 P10', 'm30' }, part)
   vim.fn.writefile({}, folder .. '/gcode-playground.toml')
 
   assert(load(snippet(), 'editors.md'))()
@@ -75,6 +75,11 @@ local function main()
   vim.lsp.buf.rename('20')
   wait_for('rename: N10 and P10', function()
     return text():find('N20 G00', 1, true) ~= nil and text():find('M99 P20', 1, true) ~= nil
+  end)
+
+  vim.lsp.buf.format({ async = false })
+  wait_for('formatting: M30', function()
+    return text():find('M30', 1, true) ~= nil
   end)
 
   local hover = ask('textDocument/hover', 2, 5)

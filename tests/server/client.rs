@@ -29,11 +29,13 @@ impl Client {
         Self::begun(NoFiles::default(), json!({"capabilities": capabilities}))
     }
 
-    /// A session with a setup, as JSON.
+    /// A session with a setup, as JSON, with all hints and lenses.
     pub fn with_setup(setup: &str) -> Self {
         let setup = Setup::from_json(setup).expect("a setup");
         let settings = Settings { setup, ..Settings::default() };
-        Self::begun(NoFiles { settings }, json!({"capabilities": usual_capabilities()}))
+        let options = json!({"codeLens": true, "hints": ["code", "feed", "passes"]});
+        let params = json!({"capabilities": usual_capabilities(), "initializationOptions": options});
+        Self::begun(NoFiles { settings }, params)
     }
 
     /// A session in a language.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::client::{Client, PART, byte_at, lines};
+use super::client::{Client, PART, byte_at, lines, range};
 
 /// Pieces of text that edits insert.
 const PIECES: [&str; 16] = [
@@ -83,7 +83,10 @@ fn client() -> Client {
 fn told(client: &mut Client) -> Value {
     let tokens = client.whole("textDocument/semanticTokens/full");
     let symbols = client.whole("textDocument/documentSymbol");
-    json!([client.diagnostics(PART), tokens, symbols])
+    let lenses = client.whole("textDocument/codeLens");
+    let hints = json!({"textDocument": {"uri": PART}, "range": range((0, 0), (100, 0))});
+    let hints = client.request("textDocument/inlayHint", hints);
+    json!([client.diagnostics(PART), tokens, symbols, lenses, hints])
 }
 
 #[test]

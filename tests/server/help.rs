@@ -42,19 +42,114 @@ fn a_hover_explains_the_word() {
     assert!(hover["contents"]["value"].as_str().is_some_and(|text| text.starts_with("U4: ")), "{hover}");
 }
 
+/// G90: 32 mm and 6 mm at 800 × 0.2 = 160 mm/min, 6 mm and 32 mm at the assumed rapid of 8,000 mm/min:
+/// 12 + 2.25 + 0.285 = 14.535 s; the next line, to X46: 12 + 3 + (8 + 32) / 8000 * 60 = 15.3 s.
+const PASSES: &str = "O1\nT0101 M3 S800 G99\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nX46\nG00 X100 Z100\nM30\n";
+
+#[test]
+fn lenses_show_times_and_passes_on_request() {
+    let mut client = Client::new();
+    client.open(PASSES);
+    assert_eq!(client.whole("textDocument/codeLens"), Value::Null, "off by default");
+    let lenses = |locale: &str| {
+        let options = json!({"codeLens": true});
+        let params =
+            json!({"capabilities": usual_capabilities(), "initializationOptions": options, "locale": locale});
+        let mut client = Client::begun(NoFiles::default(), params);
+        client.open(PASSES);
+        let lenses = client.whole("textDocument/codeLens");
+        let row = |lens: &Value| {
+            let line = lens["range"]["start"]["line"].as_u64().expect("a line");
+            (line, lens["command"]["title"].as_str().expect("a title").to_owned())
+        };
+        lenses.as_array().expect("a list").iter().map(row).collect::<Vec<_>>()
+    };
+    let found = lenses("en");
+    assert_eq!(found[1], (3, "2 passes, 0:29.8".to_owned()));
+    assert_eq!((found.len(), found[0].0), (2, 1));
+    // The approach is from an unknown place; the rapid to X100 Z100 adds less than a second.
+    assert!(found[0].1.starts_with("0:3"), "{found:?}");
+    assert_eq!(lenses("zh-cn")[1].1, "走刀 2 次，0:29.8");
+    assert_eq!(lenses("ru")[1].1, "проходов: 2, 0:29.8");
+}
+
+#[test]
+fn hints_and_lenses_are_requested_again_after_a_change_of_files() {
+    let mut capabilities = usual_capabilities();
+    capabilities["workspace"] =
+        json!({"inlayHint": {"refreshSupport": true}, "codeLens": {"refreshSupport": true}});
+    let params = json!({"capabilities": capabilities, "initializationOptions": {"codeLens": true}});
+    let mut client = Client::begun(NoFiles::default(), params);
+    client.open(PASSES);
+    client.received.clear();
+    client.notify("workspace/didChangeWatchedFiles", json!({"changes": []}));
+    let methods = client.received.iter().filter_map(|message| message["method"].as_str());
+    let asked: Vec<&str> = methods.filter(|method| method.ends_with("/refresh")).collect();
+    assert_eq!(asked, ["workspace/inlayHint/refresh", "workspace/codeLens/refresh"]);
+}
+
+/// The subprogram cuts 32 mm at 160 mm/min, in 12 s, with the first tool; the second one moves 32 mm at rapid.
+const CALLED: &str = "\
+O1
+T0101 M3 S800 G99
+M98 P2
+T0202
+G00 X62 Z2
+M30
+O2
+G00 X62 Z2
+G01 Z-30 F0.2
+M99
+";
+
+#[test]
+fn the_time_of_a_subprogram_is_that_of_the_tool_in_use() {
+    let params = json!({"capabilities": usual_capabilities(), "initializationOptions": {"codeLens": true}});
+    let mut client = Client::begun(NoFiles::default(), params);
+    client.open(CALLED);
+    let lenses = client.whole("textDocument/codeLens");
+    assert_eq!(lenses.as_array().map(Vec::len), Some(2), "{lenses}");
+    let title = |index: usize| lenses[index]["command"]["title"].as_str().expect("a title");
+    // With the approach from the position at power-on.
+    assert!(["0:12", "0:13"].contains(&&title(0)[..4]), "{lenses}");
+    assert_eq!(title(1), "0:00.2");
+}
+
+/// Line, character and label of the hints in a range.
+fn hints(client: &mut Client, range: Value) -> Vec<(u64, u64, String)> {
+    let params = json!({"textDocument": {"uri": PART}, "range": range});
+    let hints = client.request("textDocument/inlayHint", params);
+    let row = |hint: &Value| {
+        let number = |name: &str| hint["position"][name].as_u64().expect("a number");
+        (number("line"), number("character"), hint["label"].as_str().expect("a label").to_owned())
+    };
+    hints.as_array().expect("a list").iter().map(row).collect()
+}
+
+#[test]
+fn codes_feeds_and_passes_are_hints_on_request() {
+    let with = |options: Value, locale: &str| {
+        let params =
+            json!({"capabilities": usual_capabilities(), "initializationOptions": options, "locale": locale});
+        let mut client = Client::begun(NoFiles::default(), params);
+        client.open(PASSES);
+        hints(&mut client, range((0, 0), (7, 0)))
+    };
+    assert_eq!(with(json!({}), "en"), [], "off by default");
+    let row = |line, character, label: &str| (line, character, label.to_owned());
+    let all = json!({"hints": ["code", "feed", "passes"]});
+    // F0.2 at 800 rpm is 160 mm/min.
+    let expected = [row(3, 3, "1 pass"), row(3, 17, "160 mm/min"), row(4, 0, "G90")];
+    assert_eq!(with(all.clone(), "en"), expected);
+    let expected = [row(3, 3, "走刀 1 次"), row(3, 17, "160 mm/min"), row(4, 0, "G90")];
+    assert_eq!(with(all, "zh-cn"), expected);
+    assert_eq!(with(json!({"hints": ["code"]}), "en"), [row(4, 0, "G90")]);
+}
+
 #[test]
 fn hints_show_where_increments_lead() {
     let mut client = Client::new();
     client.open(INCREMENTS);
-    let hints = |client: &mut Client, range: Value| {
-        let params = json!({"textDocument": {"uri": PART}, "range": range});
-        let hints = client.request("textDocument/inlayHint", params);
-        let row = |hint: &Value| {
-            let number = |name: &str| hint["position"][name].as_u64().expect("a number");
-            (number("line"), number("character"), hint["label"].as_str().expect("a label").to_owned())
-        };
-        hints.as_array().expect("a list").iter().map(row).collect::<Vec<_>>()
-    };
     let all = hints(&mut client, range((0, 0), (11, 0)));
     assert_eq!(all, [(4, 2, "X54".to_owned()), (5, 3, "Z-25".to_owned())]);
     assert_eq!(hints(&mut client, range((5, 0), (5, 0))), [(5, 3, "Z-25".to_owned())]);

@@ -8,9 +8,10 @@ use super::client::{Client, PART, range};
 use super::edits::Random;
 
 /// Methods, most of which the server has.
-const METHODS: [&str; 30] = [
+const METHODS: [&str; 31] = [
     "initialize",
     "textDocument/codeAction",
+    "textDocument/codeLens",
     "textDocument/completion",
     "textDocument/definition",
     "textDocument/diagnostic",
@@ -85,11 +86,13 @@ fn fitting(random: &mut Random) -> Value {
         "range": range(start, end),
         "contentChanges": [{"range": range(start, end), "text": *random.of(&["", "N10 ", "\n", "X外", "G71"])}],
         "context": {"diagnostics": [], "only": random.of(&only), "includeDeclaration": true, "triggerKind": 1},
+        "options": {"tabSize": 4, "insertSpaces": true},
         "newName": *random.of(&["N15", "20", "#101", "O3", "", "外"]),
         "query": "O",
         "id": random.below(10_000),
         "changes": [],
         "title": "a",
+        "kind": *random.of(&["source.fixAll.gcode-playground", "refactor.rewrite.expand.gcode-playground", ""]),
         "data": {"address": PART},
     })
 }

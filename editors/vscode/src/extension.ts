@@ -1,8 +1,8 @@
-// Activation: the picture, formatting, and one of two checkers.
+// Activation: the picture, and one of two checkers.
 //
-// In: how the native program is started, on systems that have programs. Out: messages and fixes, from the native program
-// or, if there is none, from the library in the extension. A changed setting starts the checker again. Must not know:
-// how programs are checked.
+// In: how the native program is started, on systems that have programs. Out: messages, fixes and formatting, from the
+// native program or, if there is none, from the library in the extension. A changed setting starts the checker again.
+// Must not know: how programs are checked.
 
 import { languages, workspace, type Disposable, type ExtensionContext, type LanguageStatusItem } from 'vscode';
 import { Library } from './library';
@@ -52,7 +52,6 @@ class Activation {
     this.parts = [
       this.#status,
       new Picture(context.extensionUri),
-      languages.registerDocumentFormattingEditProvider({ language: LANGUAGE }, this.#library),
       workspace.onDidChangeConfiguration((change) => {
         if (change.affectsConfiguration(SECTION)) void this.restart();
       }),

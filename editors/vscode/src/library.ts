@@ -1,7 +1,7 @@
 // The library in the extension: the interpreter of the npm package, in the process of the extension.
 //
-// In: the open programs. Out: formatting and, if there is no native program, messages and fixes. It reads no
-// configuration files and no subprograms in other files. Must not know: the files of the library.
+// In: the open programs, if there is no native program. Out: messages, fixes and formatting. It reads no configuration
+// files and no subprograms in other files. Must not know: the files of the library.
 
 import {
   CodeAction,
@@ -38,7 +38,7 @@ const SEVERITIES = {
   info: DiagnosticSeverity.Information,
 };
 
-export class Library implements DocumentFormattingEditProvider {
+export class Library {
   readonly #extension: Uri;
   #files: Promise<void> | undefined;
 
@@ -49,18 +49,6 @@ export class Library implements DocumentFormattingEditProvider {
   /** Starts to check the open programs. */
   startChecking(): Checker {
     return new LibraryChecker(() => this.load());
-  }
-
-  async provideDocumentFormattingEdits(document: TextDocument): Promise<TextEdit[]> {
-    await this.load();
-    try {
-      const text = document.getText();
-      return changedLines(document, format(text, setup(), { language: language() }));
-    } catch (error) {
-      // The program would not be the same.
-      void window.showWarningMessage(error instanceof Error ? error.message : String(error));
-      return [];
-    }
   }
 
   /** Reads the files of the library, once. */
@@ -89,7 +77,7 @@ class FixAll extends CodeAction {
   }
 }
 
-class LibraryChecker implements Checker, CodeActionProvider {
+class LibraryChecker implements Checker, CodeActionProvider, DocumentFormattingEditProvider {
   readonly name = words().ownChecker;
   readonly #load: () => Promise<void>;
   readonly #shown = languages.createDiagnosticCollection('gcode-playground');
@@ -103,6 +91,7 @@ class LibraryChecker implements Checker, CodeActionProvider {
     languages.registerCodeActionsProvider({ language: LANGUAGE }, this, {
       providedCodeActionKinds: [CodeActionKind.QuickFix, FIX_ALL],
     }),
+    languages.registerDocumentFormattingEditProvider({ language: LANGUAGE }, this),
   ];
 
   constructor(load: () => Promise<void>) {
@@ -133,6 +122,18 @@ class LibraryChecker implements Checker, CodeActionProvider {
       action.edit = edit;
     }
     return action;
+  }
+
+  async provideDocumentFormattingEdits(document: TextDocument): Promise<TextEdit[]> {
+    await this.#load();
+    try {
+      const text = document.getText();
+      return changedLines(document, format(text, setup(), { language: language() }));
+    } catch (error) {
+      // The program would not be the same.
+      void window.showWarningMessage(error instanceof Error ? error.message : String(error));
+      return [];
+    }
   }
 
   #schedule(document: TextDocument, delay: number): void {

@@ -1,7 +1,7 @@
 // The native program as a language server.
 //
-// In: the settings. Out: a running `gcode-playground server`, which gives messages, fixes, help, completion, navigation
-// and renaming. Must not know: the answers of the server.
+// In: the settings. Out: a running `gcode-playground server`, which gives messages, fixes, formatting, help, completion,
+// navigation and renaming. Must not know: the answers of the server.
 
 import { execFile } from 'node:child_process';
 import { window, type ExtensionContext } from 'vscode';
@@ -18,7 +18,7 @@ const PATIENCE_MS = 10_000;
 
 /** Starts the server; undefined, with a warning if the user has named a program, if there is none. */
 export async function startServer(settings: Settings, context: ExtensionContext): Promise<Checker | undefined> {
-  const { path, control, pages } = settings;
+  const { path, control, pages, codeLens, hints } = settings;
   const command = path === '' ? PROGRAM : path;
   // Not the folder of the user: on Windows a program there would be found before the one on `PATH`.
   const cwd = context.extensionUri.fsPath;
@@ -36,7 +36,7 @@ export async function startServer(settings: Settings, context: ExtensionContext)
         { language: LANGUAGE, scheme: 'file' },
         { language: LANGUAGE, scheme: 'untitled' },
       ],
-      initializationOptions: pages === '' ? {} : { pages },
+      initializationOptions: { ...(pages === '' ? {} : { pages }), codeLens, hints },
     },
   );
   try {

@@ -17,12 +17,22 @@ export interface Settings {
   readonly control: string;
   /** The address of a site that has the playground, without the last slash; empty: none. */
   readonly pages: string;
+  /** Whether lenses show times and passes. */
+  readonly codeLens: boolean;
+  /** The hints besides those of U and W: `code`, `feed`, `passes`. */
+  readonly hints: readonly string[];
 }
 
 export function settings(): Settings {
   const configuration = workspace.getConfiguration(SECTION);
   const text = (name: keyof Settings): string => configuration.get<string>(name, '').trim();
-  return { path: text('path'), control: text('control'), pages: text('pages').replace(/\/+$/, '') };
+  return {
+    path: text('path'),
+    control: text('control'),
+    pages: text('pages').replace(/\/+$/, ''),
+    codeLens: configuration.get<boolean>('codeLens', false),
+    hints: configuration.get<readonly string[]>('hints', []),
+  };
 }
 
 /** The language of messages: the display language, or English if there are no messages in it. */
