@@ -9,7 +9,7 @@ use super::place::{Place, as_programmed, is_clockwise, own_motions};
 use crate::cycles::single::cuts_along_x;
 use crate::geometry::virtual_plane::{VirtualMove, Way};
 use crate::geometry::{Point, SAME};
-use crate::motion::{Cycle, CycleFamily, Feed, Motion, MotionKind, Motions, Step};
+use crate::motion::{Cycle, CycleFamily, CycleStep, Feed, Motion, MotionKind, Motions, Step};
 use crate::playback::timing;
 use crate::setup::Machine;
 use crate::units::Diameter;
@@ -265,21 +265,36 @@ fn of_cycle(cycle: Cycle, motions: &[Motion], start: Point) -> Vec<Action> {
     }
 }
 
-/// Whether the steps of a cycle are passes: those of others are pecks.
+/// Whether a cycle cuts in passes; drilling and grooving cycles cut in pecks.
 pub fn has_passes(cycle: Cycle) -> bool {
     matches!(cycle.family(), CycleFamily::Turning | CycleFamily::Threading | CycleFamily::Contour)
 }
 
 /// Number of passes among the motions of a block. Pass numbers continue while a cycle is modal.
 pub fn number_of_passes(motions: &[Motion]) -> u32 {
-    let passes =
-        motions.iter().filter_map(|motion| motion.cycle.map(|step| step.pass)).filter(|pass| *pass > 0);
-    let (mut least, mut most) = (u32::MAX, 0);
-    for pass in passes {
-        (least, most) = (least.min(pass), most.max(pass));
+    let mut passes = Passes::default();
+    motions.iter().filter_map(|motion| motion.cycle).for_each(|step| passes.add(step));
+    passes.count()
+}
+
+/// The least and the greatest pass number of some motions; `None` without passes.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Passes(Option<(u32, u32)>);
+
+impl Passes {
+    /// Adds a step of a cycle; one with the number 0 belongs to no pass.
+    pub fn add(&mut self, step: CycleStep) {
+        let pass = step.pass;
+        if pass > 0 {
+            let (least, most) = self.0.unwrap_or((pass, pass));
+            self.0 = Some((least.min(pass), most.max(pass)));
+        }
     }
-    // 0 without passes: `least` is then `u32::MAX`.
-    (most + 1).saturating_sub(least)
+
+    /// The number of passes.
+    pub fn count(self) -> u32 {
+        self.0.map_or(0, |(least, most)| most + 1 - least)
+    }
 }
 
 /// The feed of the cuts that are not threads, if it is the same for all.

@@ -6,7 +6,7 @@
 
 use gen_lsp_types::{
     CodeAction, CodeActionContext, CodeActionKind, CodeActionParams, CodeActionResponse,
-    CodeActionTriggerKind,
+    CodeActionTriggerKind, WorkspaceEdit,
 };
 use serde_json::json;
 
@@ -112,13 +112,18 @@ fn fix_all(asked: &Asked) -> Option<CodeAction> {
         return None;
     }
     let edit = (!asked.client.resolves_edits).then(|| asked.edits(&all_fixes(asked)));
-    Some(CodeAction {
-        title: server::fix_all(asked.language).to_owned(),
-        kind: Some(FIX_ALL.into_kind()),
+    Some(of_whole(asked, server::fix_all(asked.language), FIX_ALL, edit))
+}
+
+/// An action on the whole program; without its edit, the client asks for it later.
+fn of_whole(asked: &Asked, title: &str, kind: &'static str, edit: Option<WorkspaceEdit>) -> CodeAction {
+    CodeAction {
+        title: title.to_owned(),
+        kind: Some(kind.into_kind()),
         edit,
         data: Some(json!({"address": asked.address})),
         ..CodeAction::default()
-    })
+    }
 }
 
 /// The action that expands the program, if a cycle is at the span or if the client requests the kind.
@@ -135,13 +140,7 @@ fn expand_all(asked: &Asked, span: Span, context: &CodeActionContext) -> Option<
         false if may_search(asked, context) => Some(asked.edits(&[expanded(asked)?])),
         false => return None,
     };
-    Some(CodeAction {
-        title: server::expand(asked.language).to_owned(),
-        kind: Some(EXPAND.into_kind()),
-        edit,
-        data: Some(json!({"address": asked.address})),
-        ..CodeAction::default()
-    })
+    Some(of_whole(asked, server::expand(asked.language), EXPAND, edit))
 }
 
 /// Whether a cycle moves in some lines.

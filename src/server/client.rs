@@ -11,7 +11,7 @@ use crate::sentences::Language;
 /// The kind of the action that applies all safe fixes.
 pub const FIX_ALL: &str = "source.fixAll.gcode-playground";
 
-/// The hints that a client requests, besides those of U and W.
+/// The optional hints that a client requests.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HintKinds {
     /// The code in force, before the words of a move.

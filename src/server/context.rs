@@ -143,7 +143,7 @@ impl<'a> Asked<'a> {
     }
 }
 
-/// A text with other line ends; those of the document may be in it already.
+/// A text with the line ends of a document. The text may contain LF, CR LF or both.
 fn with_line_end(new: &str, line_end: &str) -> String {
     if line_end == "\n" { new.to_owned() } else { new.replace("\r\n", "\n").replace('\n', line_end) }
 }

@@ -7,7 +7,7 @@ use gen_lsp_types::{CodeLens, CodeLensParams, Command};
 
 use super::context::Asked;
 use super::message::Failure;
-use crate::assist::explain::has_passes;
+use crate::assist::explain::{Passes, has_passes};
 use crate::assist::outline::{Entry, Kind, Outline, outline};
 use crate::motion::{Cycle, Motion, MotionKind, Motions};
 use crate::playback::timing::Total;
@@ -35,15 +35,14 @@ struct Work {
     at: u32,
     time: Total,
     motions: usize,
-    /// The least and the greatest pass number; numbers continue while a cycle is modal.
-    passes: Option<(u32, u32)>,
+    passes: Passes,
     /// How often the block begins a cycle.
     times: u32,
 }
 
 impl Work {
     fn of(entry: &Entry) -> Self {
-        Self { at: entry.at, time: Total::default(), motions: 0, passes: None, times: 0 }
+        Self { at: entry.at, time: Total::default(), motions: 0, passes: Passes::default(), times: 0 }
     }
 
     fn add(&mut self, motion: &Motion, machine: &Machine) {
@@ -54,7 +53,7 @@ impl Work {
 
 /// The tools and the cycles of a program, in text order, while their motions are added in the order of execution.
 struct Parts {
-    /// The length of the program; blocks behind it are those of other files.
+    /// The length of the program, bytes. Later blocks are from other files.
     own: u32,
     /// The tools, with their stations.
     tools: Vec<(u16, Work)>,
@@ -130,9 +129,8 @@ impl Parts {
         *last = block;
         let work = &mut self.cycles[*cycle];
         work.add(motion, machine);
-        if step.pass > 0 && has_passes(step.cycle) {
-            let (least, most) = work.passes.unwrap_or((step.pass, step.pass));
-            work.passes = Some((least.min(step.pass), most.max(step.pass)));
+        if has_passes(step.cycle) {
+            work.passes.add(step);
         }
     }
 }
@@ -147,7 +145,7 @@ fn station(word: &[u8]) -> Option<u16> {
 /// The lens of a block that moves; without passes if it is executed several times, and without a time if that of a
 /// cut is unknown.
 fn lens(asked: &Asked, work: &Work) -> Option<CodeLens> {
-    let passes = work.passes.filter(|_| work.times == 1).map(|(least, most)| most + 1 - least);
+    let passes = Some(work.passes.count()).filter(|count| *count > 0 && work.times == 1);
     let seconds = (work.motions > 0 && work.time.unknown_cuts == 0).then(|| work.time.estimated());
     let title = server::work(passes, seconds, asked.language)?;
     let line = Span { start: work.at, end: line_end(asked.text(), work.at as usize) as u32 };

@@ -91,7 +91,7 @@ test('a learner hands in a checked answer, and a teacher grades and opens it', a
   await expect(page.getByText('From: Anna')).toBeVisible();
   expect((await value(page)).trim()).toBe(program('reference').trim());
   await expect(page.locator('.exercise-task')).toContainText(/\S/);
-  // The report on the answer is shown at once. The page does not store it as a check by the reader.
+  // The report appears immediately, and does not count as a check by the reader.
   await expect(page.locator('.exercise-verdict.passed')).toBeVisible();
   expect(await page.evaluate(() => localStorage.getItem('gcode-playground:exercises'))).toContain('"tries":1');
 });

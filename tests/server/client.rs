@@ -38,6 +38,13 @@ impl Client {
         Self::begun(NoFiles { settings }, params)
     }
 
+    /// A session with initialization options, in the language of a locale.
+    pub fn with_options(options: Value, locale: &str) -> Self {
+        let params =
+            json!({"capabilities": usual_capabilities(), "initializationOptions": options, "locale": locale});
+        Self::begun(NoFiles::default(), params)
+    }
+
     /// A session in a language.
     pub fn in_language(locale: &str, option: Option<Language>) -> Self {
         let options = Options { language: option, ..Options::default() };

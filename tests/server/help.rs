@@ -52,10 +52,7 @@ fn lenses_show_times_and_passes_on_request() {
     client.open(PASSES);
     assert_eq!(client.whole("textDocument/codeLens"), Value::Null, "off by default");
     let lenses = |locale: &str| {
-        let options = json!({"codeLens": true});
-        let params =
-            json!({"capabilities": usual_capabilities(), "initializationOptions": options, "locale": locale});
-        let mut client = Client::begun(NoFiles::default(), params);
+        let mut client = Client::with_options(json!({"codeLens": true}), locale);
         client.open(PASSES);
         let lenses = client.whole("textDocument/codeLens");
         let row = |lens: &Value| {
@@ -104,8 +101,7 @@ M99
 
 #[test]
 fn the_time_of_a_subprogram_is_that_of_the_tool_in_use() {
-    let params = json!({"capabilities": usual_capabilities(), "initializationOptions": {"codeLens": true}});
-    let mut client = Client::begun(NoFiles::default(), params);
+    let mut client = Client::with_options(json!({"codeLens": true}), "en");
     client.open(CALLED);
     let lenses = client.whole("textDocument/codeLens");
     assert_eq!(lenses.as_array().map(Vec::len), Some(2), "{lenses}");
@@ -129,9 +125,7 @@ fn hints(client: &mut Client, range: Value) -> Vec<(u64, u64, String)> {
 #[test]
 fn codes_feeds_and_passes_are_hints_on_request() {
     let with = |options: Value, locale: &str| {
-        let params =
-            json!({"capabilities": usual_capabilities(), "initializationOptions": options, "locale": locale});
-        let mut client = Client::begun(NoFiles::default(), params);
+        let mut client = Client::with_options(options, locale);
         client.open(PASSES);
         hints(&mut client, range((0, 0), (7, 0)))
     };
@@ -286,9 +280,7 @@ fn tokens_of_a_long_text_are_sent_in_parts_only() {
 #[test]
 fn rules_in_comments_lead_to_their_pages() {
     let text = "(RULES NO-PROGRAM-END=OFF CLASSROOM=WARNING)\nG00 X50\nM30\n";
-    let options = json!({"pages": "https://example.org"});
-    let params = json!({"capabilities": usual_capabilities(), "initializationOptions": options});
-    let mut client = Client::begun(NoFiles::default(), params);
+    let mut client = Client::with_options(json!({"pages": "https://example.org"}), "en");
     client.open(text);
     let target = "https://example.org/rules/en/no-program-end.html";
     assert_eq!(

@@ -19,7 +19,7 @@ export interface Settings {
   readonly pages: string;
   /** Whether lenses show times and passes. */
   readonly codeLens: boolean;
-  /** The hints besides those of U and W: `code`, `feed`, `passes`. */
+  /** The optional hints: `code`, `feed`, `passes`. */
   readonly hints: readonly string[];
 }
 

@@ -241,9 +241,7 @@ class WebKitTab implements Tab {
   }
 
   async goto(address: string): Promise<void> {
-    const url = this.relay.inFront(address);
-    await this.call('POST', '/url', { url });
-    if ((await this.call('GET', '/url')) === 'about:blank') await this.call('POST', '/url', { url });
+    await this.call('POST', '/url', { url: this.relay.inFront(address) });
   }
   async reload(): Promise<void> {
     await this.call('POST', '/refresh', {});
