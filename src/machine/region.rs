@@ -29,6 +29,10 @@ const TOUCH: f64 = 2e-5;
 /// split each other there.
 const STRAIGHT: f64 = 2e-4;
 
+/// Area that such corners may change along a line, mm². Along a very long line, they may change as much as the error of
+/// the grid.
+const NEGLIGIBLE: f64 = 1e-4;
+
 /// An area of the half-section: any number of pieces, with holes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Region {
@@ -227,7 +231,7 @@ fn straighten(contour: &mut Vec<IntPoint<i32>>) {
         let none = kept.last().is_some_and(|last| {
             let (distance, length) = distance_from_line(corner, *last, next);
             area += distance * length / 2.0;
-            distance.abs() <= STRAIGHT * STEPS && area.abs() <= STRAIGHT * STEPS * length / 2.0
+            distance.abs() <= STRAIGHT * STEPS && area.abs() <= most_changed(length)
         });
         if !none {
             kept.push(corner);
@@ -237,6 +241,12 @@ fn straighten(contour: &mut Vec<IntPoint<i32>>) {
     if kept.len() > 2 {
         *contour = kept;
     }
+}
+
+/// The area that the removed corners of a line of this length may change, in grid steps.
+fn most_changed(length: f64) -> f64 {
+    let negligible = 2.0 * NEGLIGIBLE * STEPS * STEPS / length.max(1.0);
+    (STRAIGHT * STEPS).min(negligible.max(TOUCH * STEPS)) * length / 2.0
 }
 
 /// Distance of a point to the left of the line between two others, and the length of that line, in grid
