@@ -37,11 +37,15 @@ use crate::scene::annotation::{Annotation, Importance, Measure, Shape};
 use crate::setup::Stock;
 use crate::setup::tool::ToolKind;
 use crate::source::LineIndex;
-use crate::text::parser::Resume;
+use crate::text::block::Block;
+use crate::text::parser::{Parser, Resume};
 use crate::units::Diameter;
 
 /// Maximum number of blocks that are executed again to find a block; with more, a figure would delay the page.
 const MAX_BLOCKS: usize = 200_000;
+
+/// Maximum number of lines between the two blocks of a cycle, plus one.
+const MAX_BETWEEN: usize = 20;
 
 /// The numbers of the steps of a cycle and of the moves of a contour.
 const NUMBERS: [&str; 20] =
@@ -83,19 +87,19 @@ impl Figure {
     }
 }
 
-/// The figure of the cycle that the block at a byte calls: its letters, and the dimensions of its words, also of
-/// its first block in the line before. Empty if the block calls none.
+/// The figure of the cycle that the block at a byte calls: its letters, and the dimensions of the words of both of its
+/// blocks. Empty if the block calls none.
 pub fn of_cycle(run: &mut Run, byte: u32) -> Figure {
     let lines = LineIndex::new(run.text());
+    // The second block makes the motions.
+    let byte = other_block(run, &lines, byte, CycleBlock::First).unwrap_or(byte);
     let Some(found) = replay(run, &lines, byte) else { return Figure::default() };
     let block = found.block(run);
     let asked = Query::new(run, &found, &block);
     let Some(call) = Call::of(&asked, run.motions()) else { return Figure::default() };
     let mut all = call.letters(block.span, run.landmarks());
     all.extend(cycle::dimensions(&asked, run.motions()));
-    let is_second = cycle_block(&asked) == Some(CycleBlock::Second);
-    let before = lines.line_of(byte).checked_sub(1).filter(|_| is_second);
-    let before = before.map(|before| lines.line(run.text(), before).start);
+    let before = other_block(run, &lines, byte, CycleBlock::Second);
     if let Some(found) = before.and_then(|before| replay(run, &lines, before)) {
         let block = found.block(run);
         let first = Query::new(run, &found, &block);
@@ -192,6 +196,27 @@ pub fn first_cycle(run: &Run) -> Option<u32> {
     (0..motions.len()).find(|&index| motions.glance(index).is_of_cycle).map(|index| motions.span(index).start)
 }
 
+/// The first byte of the block before the second block of a cycle, or after its first one; `None` if the block at `byte`
+/// is not `this` one. Lines without words may be between them.
+fn other_block(run: &mut Run, lines: &LineIndex, byte: u32, this: CycleBlock) -> Option<u32> {
+    let found = replay(run, lines, byte)?;
+    let block = found.block(run);
+    if cycle_block(&Query::new(run, &found, &block)) != Some(this) {
+        return None;
+    }
+    let line = lines.line_of(byte);
+    let has_words = |line: u32| {
+        let mut block = Block::default();
+        Parser::new(lines.line(run.text(), line).of(run.text())).next_block(&mut block)
+            && !block.words.is_empty()
+    };
+    let beside = match this {
+        CycleBlock::First => (line + 1..lines.len()).take(MAX_BETWEEN).find(|&line| has_words(line)),
+        _ => (0..line).rev().take(MAX_BETWEEN).find(|&line| has_words(line)),
+    };
+    beside.map(|line| lines.line(run.text(), line).start)
+}
+
 /// The execution of the block at a byte; `None` if it comes after too many blocks. `lines`: those of the text.
 fn replay(run: &mut Run, lines: &LineIndex, byte: u32) -> Option<Found> {
     let line = lines.line_of(byte);
@@ -267,6 +292,32 @@ mod tests {
             Ignored => "not used by the control",
             _ => return None,
         })
+    }
+
+    #[test]
+    fn both_blocks_of_a_cycle_show_its_figure() {
+        let program = |between: &str| {
+            format!(
+                "G00 X41 Z0 M03 S600\nG71 U2 R1\n{between}G71 P50 Q70 U0.5 W0.2 F0.2\nN50 G00 X20\nN60 G01 Z-20\n\
+                 N70 X41\nG71 U1 R1\nM30\n"
+            )
+        };
+        let figure = |text: &str, line: u32| {
+            let mut run = Run::finished(text.as_bytes().to_vec(), Setup::default());
+            let byte = LineIndex::new(text.as_bytes()).line(text.as_bytes(), line).start;
+            of_cycle(&mut run, byte).annotations
+        };
+        let usual = figure(&program(""), 2);
+        // The depth of a pass is a word of the first block.
+        assert!(
+            usual.iter().any(|own| own.label.name == "A′") && usual.iter().any(|own| own.label.name == "Δd")
+        );
+        for (between, second) in [("", 2), ("(DEPTH)\n\n", 4)] {
+            assert_eq!(figure(&program(between), 1), usual, "{between:?}");
+            assert_eq!(figure(&program(between), second), usual, "{between:?}");
+        }
+        // No second block follows the last one.
+        assert_eq!(figure(&program(""), 6), []);
     }
 
     #[test]
