@@ -66,6 +66,8 @@ pub fn crate_file() -> Result<Duration> {
     let library = step("checking the crate without the command line", &mut check)?;
     let mut package = command("cargo");
     package.args(["package", "--allow-dirty", "--quiet"]);
+    // In the folder of the tests, this library would replace theirs: cargo writes it without a hash in its name.
+    package.arg("--target-dir").arg(run::target().join("crate"));
     // The build only has to succeed.
     package.envs([("CARGO_PROFILE_DEV_OPT_LEVEL", "0"), ("CARGO_PROFILE_DEV_DEBUG", "0")]);
     Ok(library + step("building the packaged crate", &mut package)?)

@@ -15,6 +15,7 @@ use std::{env, io};
 use crate::bindgen::{self, For};
 use crate::run::{self, Result, step};
 use crate::setup::Setup;
+use crate::wasm_std::Toolchain;
 use crate::{native, package, parts};
 
 /// Default port; the next free one is used if it is taken.
@@ -56,9 +57,9 @@ const DOCUMENTS: &str = "PLAYGROUND_DOCUMENTS";
 /// `cargo xtask play`.
 pub fn main(options: Options) -> Result {
     let start = Instant::now();
-    let setup = Setup::for_playing()?;
     let mut seen = changed(&sources());
-    module(&setup)?;
+    let setup = Setup::for_playing_while(compile)?;
+    make_package()?;
     let port = free_port(options.port)?;
     let mut server = serve(&setup, port)?;
     let address = format!("http://localhost:{port}/");
@@ -77,16 +78,21 @@ pub fn main(options: Options) -> Result {
         if now != seen {
             seen = now;
             // The page stays unchanged until the sources compile again.
-            module(&setup).unwrap_or_else(run::say);
+            compile(setup.toolchain).and_then(|()| make_package()).unwrap_or_else(run::say);
         }
     }
 }
 
-/// Compiles the interpreter into the package in `www/pkg`.
-fn module(setup: &Setup) -> Result {
-    let mut cargo = setup.command("cargo");
+/// Compiles the interpreter.
+fn compile(toolchain: Toolchain) -> Result {
+    let mut cargo = run::command("cargo");
+    toolchain.apply(&mut cargo);
     cargo.args(["rustc", "--lib", "--crate-type", "cdylib", "--profile", PROFILE, "--no-default-features"]);
-    step("compiling the interpreter", cargo.args(["--target", "wasm32-unknown-unknown"]))?;
+    step("compiling the interpreter", cargo.args(["--target", "wasm32-unknown-unknown"])).map(drop)
+}
+
+/// Makes the package in `www/pkg` from the compiled interpreter.
+fn make_package() -> Result {
     let folder = run::target().join("wasm32-unknown-unknown").join(PROFILE);
     let module = folder.join("gcode_playground.wasm");
     let package = run::www().join("pkg");

@@ -23,7 +23,16 @@ pub struct Setup {
 impl Setup {
     /// Installs what is needed to develop the page.
     pub fn for_playing() -> Result<Self> {
-        let (packages, toolchain) = run::both(npm_packages, wasm_std::ensure)?;
+        Self::for_playing_while(|_| Ok(()))
+    }
+
+    /// As [`Self::for_playing`]. `task` needs only the toolchain, and runs while npm installs its packages.
+    pub fn for_playing_while(task: impl FnOnce(Toolchain) -> Result) -> Result<Self> {
+        node()?;
+        let (packages, toolchain) = run::both(npm_packages, || {
+            let toolchain = wasm_std::ensure()?;
+            task(toolchain).map(|()| toolchain)
+        })?;
         let path = before([packages], &env::var_os("PATH").unwrap_or_default())?;
         Ok(Setup { toolchain, path })
     }
@@ -106,7 +115,6 @@ pub fn npm_ci(folder: &Path, what: &str, options: &[&str]) -> Result<PathBuf> {
     let wanted = read("package.json")? + &read("package-lock.json")?;
     let stamp = folder.join("node_modules").join(".installed-by-xtask");
     if !fs::read_to_string(&stamp).is_ok_and(|installed| installed == wanted) {
-        node()?;
         let mut npm = run::npm();
         npm.current_dir(folder).args(["ci", "--no-audit", "--no-fund"]).args(options);
         run::quiet(&format!("installing {what}"), &mut npm)?;
