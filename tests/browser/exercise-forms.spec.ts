@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test, type BasicPage, type Locator } from './engines';
-import { chooseLanguage, editor, goTo, locate, open, settled, value } from './page';
+import { chooseLanguage, editor, goTo, locate, open, settled, tooltip, value } from './page';
 
 const reference = (id: string): readonly string[] =>
   readFileSync(join(__dirname, '../exercise', id, 'reference.nc'), 'utf8')
@@ -47,6 +47,8 @@ test('end points are entered or clicked, and the path does not show them before'
     await settled(page);
   };
   await at(28, -20);
+  // It would cover the next place.
+  await expect(tooltip(page)).toBeHidden();
   await at(32, -21);
   await expect(rows(page).nth(1).getByRole('textbox').last()).toHaveValue('-20');
   await expect

@@ -55,6 +55,23 @@ test('the list, the button over the program and the status show the same count, 
   expect(counts.reduce((sum, severity) => sum + Number(severity), 0)).toBe(listed);
 });
 
+test('a comment hides the message of its line, and without it the message is back', async ({ page }) => {
+  await open(page);
+  const program = (comment: string): string => `O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nM234${comment}\nM30\n`;
+  await type(page, program(''));
+  await settled(page);
+  await openProblems(page);
+  const row = rows(page).filter({ hasText: 'M234' });
+  await expect(row).toHaveCount(1);
+  await type(page, program(' (IGNORE RULE=UNKNOWN-M-CODE)'));
+  await settled(page);
+  await expect(row).toHaveCount(0);
+  await type(page, program(''));
+  await settled(page);
+  await openProblems(page);
+  await expect(row).toHaveCount(1);
+});
+
 test('the list opens by itself with a new program that has errors or warnings, never by typing', async ({ page }) => {
   const faulty = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG6\nG1 Z-20 F0.2\nX44\nM30\n';
   const noted = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2 M399\nG1 Z-20 F0.2\nX44\nM30\n';

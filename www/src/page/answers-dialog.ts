@@ -7,7 +7,7 @@ import '../dom/dialog.css';
 import './share.css';
 import './answers.css';
 import { Dialog } from '../dom/dialog';
-import { make } from '../dom/dom';
+import { make, setChildren, setText } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
 import type { Language } from '../dom/language';
 import { importWithRetry } from '../dom/network';
@@ -37,6 +37,13 @@ import { publishedFile } from './published';
 const FROM_LINKS = '';
 const OWN_FILE = '.file';
 
+interface HeadCell {
+  readonly key: HeadKey;
+  readonly cell: HTMLElement;
+  /** Sorts by the column. */
+  readonly button: HTMLElement;
+}
+
 let dialog: AnswersDialog | undefined;
 
 export function openAnswers(host: PageHost): void {
@@ -55,7 +62,8 @@ class AnswersDialog {
   readonly #openFiles = make('button', { type: 'button', className: 'framed' });
   readonly #clear = make('button', { type: 'button', className: 'framed' });
   readonly #status = make('p', { role: 'status', className: 'answers-status' });
-  readonly #head = make('tr');
+  readonly #headCells = HEAD_KEYS.map((key) => this.#headCell(key));
+  readonly #head = make('tr', {}, ...this.#headCells.map(({ cell }) => cell));
   readonly #body = make('tbody');
   readonly #table = make(
     'div',
@@ -88,6 +96,8 @@ class AnswersDialog {
   /** As they were read. */
   #answers: readonly AnswerRow[] = [];
   readonly #graded = new Map<AnswerRow, AnswerRow>();
+  /** The elements of the rows, by their answers: an unchanged one keeps the focus, and a click that has begun. */
+  readonly #rendered = new WeakMap<object, { readonly contents: string; readonly element: HTMLElement }>();
   /** The removed answers, until there are new ones. */
   #cleared: readonly AnswerRow[] = [];
   #shownLanguage: Language | undefined;
@@ -311,9 +321,12 @@ class AnswersDialog {
     // The table needs the room.
     this.#links.rows = isEmpty ? 4 : 1;
     this.#dialog.about = isEmpty ? texts.about : '';
-    this.#head.replaceChildren(...HEAD_KEYS.map((key) => this.#headCell(key)));
+    this.#renderHead();
     const rows = this.#shownRows;
-    this.#body.replaceChildren(...rows.map((row) => this.#tableRow(row)));
+    setChildren(
+      this.#body,
+      rows.map((row) => this.#tableRow(row)),
+    );
     return rows;
   }
 
@@ -333,26 +346,39 @@ class AnswersDialog {
     setFile(this.#print, printedPage(texts.title, language, table), 'text/html;charset=utf-8');
   }
 
-  #headCell(key: HeadKey): HTMLElement {
-    const button = make('button', { type: 'button', className: 'link' }, ANSWERS_WORDS[this.#language].head[key]);
-    button.addEventListener('click', () => this.#sortBy(key));
-    const sorted = this.#sortedBy?.key === key ? this.#sortedBy : undefined;
-    const order = sorted === undefined ? 'none' : sorted.isDescending ? 'descending' : 'ascending';
-    return make('th', { scope: 'col', 'aria-sort': order }, button);
+  #renderHead(): void {
+    for (const { key, cell, button } of this.#headCells) {
+      setText(button, ANSWERS_WORDS[this.#language].head[key]);
+      const sorted = this.#sortedBy?.key === key ? this.#sortedBy : undefined;
+      cell.setAttribute('aria-sort', sorted === undefined ? 'none' : sorted.isDescending ? 'descending' : 'ascending');
+    }
   }
 
+  #headCell(key: HeadKey): HeadCell {
+    const button = make('button', { type: 'button', className: 'link' });
+    button.addEventListener('click', () => this.#sortBy(key));
+    return { key, cell: make('th', { scope: 'col' }, button), button };
+  }
+
+  /** The element of a row; the same as before if its contents are unchanged. */
   #tableRow(row: AnswerRow): HTMLElement {
     const [name = '', ...cells] = cellsOf(row, ANSWERS_WORDS[this.#language]);
     const { graded, link } = row;
+    const state = graded === undefined ? 'not-graded' : graded.report.passed ? 'passed' : 'failed';
+    const contents = JSON.stringify([state, link, name, cells]);
+    const answer = row.answer ?? row;
+    const rendered = this.#rendered.get(answer);
+    if (rendered?.contents === contents) return rendered.element;
     const title =
       link === undefined ? name : make('a', { className: 'link', href: link, target: '_blank', rel: 'noopener' }, name);
-    const state = graded === undefined ? 'not-graded' : graded.report.passed ? 'passed' : 'failed';
-    return make(
+    const element = make(
       'tr',
       { className: state },
       make('th', { scope: 'row' }, title),
       ...cells.map((text) => make('td', {}, text)),
     );
+    this.#rendered.set(answer, { contents, element });
+    return element;
   }
 }
 

@@ -237,7 +237,12 @@ class Pictures implements Panel {
         this.#showHovered(picture, undefined);
       },
       onClick: async (x, y, keepFocus) => {
-        if (picture === 'section' && this.#isTaken(x, y)) return;
+        if (picture === 'section' && this.#isTaken(x, y)) {
+          // The tooltip would cover the next place.
+          stroke.cancel();
+          this.#showHovered(picture, undefined);
+          return;
+        }
         const chosen = await shell.ask('pick', { picture, x, y });
         if (chosen !== undefined) shell.chooseStroke(chosen, keepFocus ? 'keep-focus' : 'focus');
       },
