@@ -5,31 +5,49 @@ use crate::fixtures;
 use crate::random_programs;
 
 use gcode_playground::analyze;
+use gcode_playground::api::{Converted, LeftWord, Places};
 use gcode_playground::convert::unit::NEAR;
-use gcode_playground::convert::{Conversion, Form, converted};
+use gcode_playground::convert::{Conversion, ProgramForm, converted};
 use gcode_playground::message::applied;
+use gcode_playground::run::Run;
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::setup::dialect::GSystem;
+use gcode_playground::source::LineIndex;
 use proptest::prelude::*;
 use random_programs::{any_setup, program, small};
 
 /// The forms that leave the motions as they are, apart from the rounding of a centre.
-const FORMS: [Form; 6] =
-    [Form::Absolute, Form::Incremental, Form::Radius, Form::Center, Form::OneBlock, Form::TwoBlocks];
+const FORMS: [ProgramForm; 6] = [
+    ProgramForm::Absolute,
+    ProgramForm::Incremental,
+    ProgramForm::Radius,
+    ProgramForm::Center,
+    ProgramForm::OneBlock,
+    ProgramForm::TwoBlocks,
+];
 
-fn conversion(text: &str, form: Form) -> Conversion {
+fn conversion(text: &str, form: ProgramForm) -> Conversion {
     converted(text.as_bytes(), text.len(), &Setup::default(), form)
 }
 
+fn form_of(system: GSystem) -> ProgramForm {
+    match system {
+        GSystem::A => ProgramForm::SystemA,
+        GSystem::B => ProgramForm::SystemB,
+        GSystem::C => ProgramForm::SystemC,
+    }
+}
+
 /// The program in a form, and the words that stay.
-fn written(text: &str, form: Form) -> (String, Vec<String>) {
+fn written(text: &str, form: ProgramForm) -> (String, Vec<String>) {
     let found = conversion(text, form);
     let after = String::from_utf8(applied(text.as_bytes(), &found.edits)).expect("UTF-8");
     (after, found.left.iter().map(|word| word.quote(text.as_bytes())).collect())
 }
 
 #[track_caller]
-fn check(form: Form, before: &str, after: &str, left: &[&str]) {
+fn check(form: ProgramForm, before: &str, after: &str, left: &[&str]) {
     assert_eq!(
         written(before, form),
         (after.to_owned(), left.iter().map(|word| (*word).to_owned()).collect())
@@ -45,11 +63,11 @@ const INCREMENTAL: &str =
 
 #[test]
 fn distances_become_positions_and_positions_distances() {
-    check(Form::Absolute, INCREMENTAL, ABSOLUTE, &[]);
-    check(Form::Incremental, ABSOLUTE, INCREMENTAL, &["X32", "Z2"]);
+    check(ProgramForm::Absolute, INCREMENTAL, ABSOLUTE, &[]);
+    check(ProgramForm::Incremental, ABSOLUTE, INCREMENTAL, &["X32", "Z2"]);
     // X30 Z-5, then 4 mm on the diameter; the word keeps its point.
     check(
-        Form::Absolute,
+        ProgramForm::Absolute,
         "G00 X30. Z-5.\nG01 U4. W-1.25 F.1\nM30\n",
         "G00 X30. Z-5.\nG01 X34. Z-6.25 F.1\nM30\n",
         &[],
@@ -59,15 +77,15 @@ fn distances_become_positions_and_positions_distances() {
 #[test]
 fn a_distance_from_an_unknown_place_stays() {
     // The start is assumed; after G28 and a new tool the place is that of the machine.
-    check(Form::Absolute, "G00 U-4\nX30\nU-2\nM30\n", "G00 U-4\nX30\nX28\nM30\n", &["U-4"]);
+    check(ProgramForm::Absolute, "G00 U-4\nX30\nU-2\nM30\n", "G00 U-4\nX30\nX28\nM30\n", &["U-4"]);
     check(
-        Form::Absolute,
+        ProgramForm::Absolute,
         "G00 X30 Z2\nG28 U0 W0\nG00 U-10\nX20 W-5\nM30\n",
         "G00 X30 Z2\nG28 U0 W0\nG00 U-10\nX20 W-5\nM30\n",
         &["U-10", "W-5"],
     );
     check(
-        Form::Incremental,
+        ProgramForm::Incremental,
         "T0101\nG00 X30 Z2\nX20\nT0202\nX30 Z2\nZ-5\nM30\n",
         "T0101\nG00 X30 Z2\nU-10\nT0202\nX30 Z2\nW-7\nM30\n",
         &["X30", "Z2", "X30", "Z2"],
@@ -77,11 +95,11 @@ fn a_distance_from_an_unknown_place_stays() {
 #[test]
 fn a_block_at_several_places_stays() {
     let text = "O1\nG00 X30 Z2\nM98 P2 L3\nM30\nO2\nG01 U-2 F.2\nU1 W-1\nM99\n";
-    check(Form::Absolute, text, text, &["U-2", "U1", "W-1"]);
+    check(ProgramForm::Absolute, text, text, &["U-2", "U1", "W-1"]);
     // The way is the same each time.
     let text =
         "O1\nG00 X30 Z0\nG01 Z-5 F.2\n#1=0\nWHILE[#1LT2]DO1\nG00 X32\nZ0\nX30\nG01 Z-5\n#1=#1+1\nEND1\nM30\n";
-    let (after, _) = written(text, Form::Incremental);
+    let (after, _) = written(text, ProgramForm::Incremental);
     assert!(after.contains("G00 U2\nW5\nU-2\nG01 W-5\n"), "{after}");
 }
 
@@ -93,7 +111,7 @@ fn the_contour_of_a_finishing_cycle_is_written_too() {
         )
     };
     // X20, then to Z-10, then 10 mm on the diameter over 5 mm.
-    check(Form::Absolute, &contour("X20", "W-12\nU10 W-5"), &contour("X20", "Z-10\nX30 Z-15"), &[]);
+    check(ProgramForm::Absolute, &contour("X20", "W-12\nU10 W-5"), &contour("X20", "Z-10\nX30 Z-15"), &[]);
 }
 
 #[test]
@@ -104,32 +122,32 @@ fn cycles_and_other_words_stay() {
         "G00 X30 Z2\n#1=4\nG01 U#1 F.2\nM30\n",
         "G00 X30 Z2\nG01 W-10,C1 F.2\nX40\nM30\n",
     ] {
-        assert_eq!(written(text, Form::Absolute).0, text);
+        assert_eq!(written(text, ProgramForm::Absolute).0, text);
     }
     // G90 of system B is not a cycle.
     let setup = Setup::from_json(r#"{"dialect": {"gSystem": "B"}}"#).expect("a setup");
     let text = "G90 G00 X30 Z2\nG91 G01 X-4 F.2\nM30\n";
-    assert_eq!(converted(text.as_bytes(), text.len(), &setup, Form::Incremental).edits, []);
+    assert_eq!(converted(text.as_bytes(), text.len(), &setup, ProgramForm::Incremental).edits, []);
 }
 
 #[test]
 fn an_arc_has_a_radius_or_a_centre() {
     // From X20 Z-5 to X30 Z-10, a quarter with its centre at X30 Z-5: I5 K0.
     let arc = |words: &str| format!("G00 X20 Z-5\nG02 X30 Z-10 {words} F.1\nM30\n");
-    check(Form::Center, &arc("R5"), &arc("I5 K0"), &[]);
-    check(Form::Radius, &arc("I5 K0"), &arc("R5"), &[]);
-    check(Form::Radius, &arc("I5. K0."), &arc("R5."), &[]);
+    check(ProgramForm::Center, &arc("R5"), &arc("I5 K0"), &[]);
+    check(ProgramForm::Radius, &arc("I5 K0"), &arc("R5"), &[]);
+    check(ProgramForm::Radius, &arc("I5. K0."), &arc("R5."), &[]);
     // Incremental, in inches.
     check(
-        Form::Center,
+        ProgramForm::Center,
         "G20\nG00 X2. Z0\nG03 U.5 W-.25 R.25 F.01\nM30\n",
         "G20\nG00 X2. Z0\nG03 U.5 W-.25 I0. K-0.25 F.01\nM30\n",
         &[],
     );
     // Three quarters around X20 Z-10, and a full circle: R is for arcs of less than half a turn.
-    check(Form::Radius, &arc("I0 K-5"), &arc("I0 K-5"), &["I0", "K-5"]);
+    check(ProgramForm::Radius, &arc("I0 K-5"), &arc("I0 K-5"), &["I0", "K-5"]);
     let circle = "G00 X20 Z-5\nG02 I5 K0 F.1\nM30\n";
-    check(Form::Radius, circle, circle, &["I5", "K0"]);
+    check(ProgramForm::Radius, circle, circle, &["I5", "K0"]);
 }
 
 /// A contour after its cycle, and the end of the program.
@@ -140,19 +158,19 @@ fn roughing_in_one_block_has_the_depth_in_least_increments() {
     let program = |call: &str| format!("G00 X42 Z2 M03 S500\n{call}\n{CONTOUR}");
     // The escape of 1 mm is the one in force.
     check(
-        Form::OneBlock,
+        ProgramForm::OneBlock,
         &program("G71 U2 R1\nG71 P1 Q2 U.4 W.1 F.2"),
         &program("G71 P1 Q2 U.4 W.1 D2000 F.2"),
         &[],
     );
     check(
-        Form::TwoBlocks,
+        ProgramForm::TwoBlocks,
         &program("G71 P1 Q2 U.4 W.1 D2000 F.2"),
         &program("G71 U2\nG71 P1 Q2 U.4 W.1 F.2"),
         &[],
     );
     check(
-        Form::OneBlock,
+        ProgramForm::OneBlock,
         &program("G71 U1.5\nN9 G71 P1 Q2 U.4 W.1"),
         &program("N9 G71 P1 Q2 U.4 W.1 D1500"),
         &[],
@@ -160,17 +178,17 @@ fn roughing_in_one_block_has_the_depth_in_least_increments() {
     // Another escape has no word in one block, and a block number may be needed.
     for call in ["G71 U2 R.5\nG71 P1 Q2 U.4 W.1 F.2", "N8 G71 U2\nG71 P1 Q2 U.4 W.1 F.2\nIF[1EQ2]GOTO8"] {
         let text = program(call);
-        assert_eq!(written(&text, Form::OneBlock), (text.clone(), vec!["G71".to_owned()]), "{text}");
+        assert_eq!(written(&text, ProgramForm::OneBlock), (text.clone(), vec!["G71".to_owned()]), "{text}");
     }
     // D of G73 is the number of its passes.
     check(
-        Form::TwoBlocks,
+        ProgramForm::TwoBlocks,
         &program("G73 P1 Q2 I6. K2. U.4 W.1 D3 F.2"),
         &program("G73 U6. W2. R3\nG73 P1 Q2 U.4 W.1 F.2"),
         &[],
     );
     check(
-        Form::OneBlock,
+        ProgramForm::OneBlock,
         &program("G73 U6. W2. R3\nG73 P1 Q2 U.4 W.1 F.2"),
         &program("G73 P1 Q2 U.4 W.1 I6. K2. D3 F.2"),
         &[],
@@ -181,13 +199,13 @@ fn roughing_in_one_block_has_the_depth_in_least_increments() {
 fn pecking_and_threading_in_one_block() {
     let program = |call: &str| format!("G00 X42 Z2 M03 S500\n{call}\nG00 X60 Z10\nM30\n");
     check(
-        Form::TwoBlocks,
+        ProgramForm::TwoBlocks,
         &program("G75 X30 Z-10 I2. K3. F.1"),
         &program("G75 X30 Z-10 P2000 Q3000 F.1"),
         &[],
     );
     check(
-        Form::OneBlock,
+        ProgramForm::OneBlock,
         &program("G74 R1\nG74 X30 Z-10 P3000 Q2500 F.1"),
         &program("G74 X30 Z-10 I3 K2.5 F.1"),
         &[],
@@ -196,11 +214,11 @@ fn pecking_and_threading_in_one_block() {
     let thread = "G00 X42 Z10 M03 S300\n";
     let one = format!("{thread}G76 X35.1 Z-30 K2.45 D700 F4 A60\nM30\n");
     let two = format!("{thread}G76 P010060 Q0 R0\nG76 X35.1 Z-30 P2450 Q700 F4\nM30\n");
-    check(Form::TwoBlocks, &one, &two, &[]);
-    check(Form::OneBlock, &two, &format!("{thread}G76 X35.1 Z-30 K2.45 D700 A60 F4\nM30\n"), &[]);
+    check(ProgramForm::TwoBlocks, &one, &two, &[]);
+    check(ProgramForm::OneBlock, &two, &format!("{thread}G76 X35.1 Z-30 K2.45 D700 A60 F4\nM30\n"), &[]);
     // The allowance of the last pass has no word in one block.
     let own = format!("{thread}G76 P010060 Q0 R.1\nG76 X35.1 Z-30 P2450 Q700 F4\nM30\n");
-    assert_eq!(written(&own, Form::OneBlock).0, own);
+    assert_eq!(written(&own, ProgramForm::OneBlock).0, own);
 }
 
 #[test]
@@ -209,13 +227,13 @@ fn lengths_are_written_in_millimetres_or_inches() {
     let inches =
         "G20\nG96 S400 M03\nG00 X2. Z.1\nG01 Z-1.25 F.01\nG04 X1.5\nG97 S500\nG92 X1.9 Z-1. F.125\nM30\n";
     let millimetres = "G21\nG96 S122 M03\nG00 X50.8 Z2.54\nG01 Z-31.75 F0.254\nG04 X1.5\nG97 S500\nG92 X48.26 Z-25.4 F3.175\nM30\n";
-    check(Form::Millimetre, inches, millimetres, &[]);
+    check(ProgramForm::Mm, inches, millimetres, &[]);
     let back =
         "G20\nG96 S400 M03\nG00 X2. Z0.1\nG01 Z-1.25 F0.01\nG04 X1.5\nG97 S500\nG92 X1.9 Z-1. F0.125\nM30\n";
-    assert_eq!(written(millimetres, Form::Inch).0, back);
+    assert_eq!(written(millimetres, ProgramForm::Inch).0, back);
     // Without a code for the unit it is added; 10 mm = 0.3937 in. Q counts 0.001 mm or 0.0001 in.
     assert_eq!(
-        written("O1\nT0101 M03 S500\nG00 X60. Z2.\nG75 X10. Z2. P2540 F.1\nM30\n", Form::Inch),
+        written("O1\nT0101 M03 S500\nG00 X60. Z2.\nG75 X10. Z2. P2540 F.1\nM30\n", ProgramForm::Inch),
         (
             "O1\nG20\nT0101 M03 S500\nG00 X2.3622 Z0.0787\nG75 X0.3937 Z0.0787 P1000 F0.0039\nM30\n"
                 .to_owned(),
@@ -224,16 +242,16 @@ fn lengths_are_written_in_millimetres_or_inches() {
     );
     // A length that is not known stays, and so does all of the program.
     let text = "G21\n#1=20\nG00 X#1\nM30\n";
-    assert_eq!(written(text, Form::Inch).0, text);
+    assert_eq!(written(text, ProgramForm::Inch).0, text);
     let text = "G21\nG00 X20 C5\nM30\n";
-    assert_eq!(written(text, Form::Inch), (text.to_owned(), vec!["C5".to_owned()]));
+    assert_eq!(written(text, ProgramForm::Inch), (text.to_owned(), vec!["C5".to_owned()]));
 }
 
 #[test]
 fn codes_are_written_in_another_system() {
     let system = |text: &str, from: &str, to: GSystem| {
         let setup = Setup::from_json(&format!(r#"{{"dialect": {{"gSystem": "{from}"}}}}"#)).expect("a setup");
-        let found = converted(text.as_bytes(), text.len(), &setup, Form::System(to));
+        let found = converted(text.as_bytes(), text.len(), &setup, form_of(to));
         let left: Vec<String> = found.left.iter().map(|word| word.quote(text.as_bytes())).collect();
         (String::from_utf8(applied(text.as_bytes(), &found.edits)).expect("UTF-8"), left)
     };
@@ -289,7 +307,7 @@ fn check_runs_the_same(text: &str, setup: &Setup) -> Result<usize, String> {
 fn check_systems(text: &str, setup: &Setup) -> Result<usize, String> {
     let mut count = 0;
     for system in GSystem::ALL {
-        let found = converted(text.as_bytes(), text.len(), setup, Form::System(system));
+        let found = converted(text.as_bytes(), text.len(), setup, form_of(system));
         if found.edits.is_empty() {
             continue;
         }
@@ -306,7 +324,7 @@ fn check_systems(text: &str, setup: &Setup) -> Result<usize, String> {
         if one.len() != after_ends.len() || !one.iter().zip(&after_ends).all(near) {
             return Err(format!("other motions: {system:?}\n{text}\n--- became:\n{after}"));
         }
-        if !converted(after.as_bytes(), after.len(), &other, Form::System(system)).edits.is_empty() {
+        if !converted(after.as_bytes(), after.len(), &other, form_of(system)).edits.is_empty() {
             return Err(format!("not the same the second time: {system:?}\n{text}\n--- became:\n{after}"));
         }
     }
@@ -319,7 +337,7 @@ fn check_units(text: &str, setup: &Setup) -> Result<usize, String> {
         analyze(text.as_bytes(), setup).motions.iter().map(|motion| (motion.kind, motion.to)).collect()
     };
     let mut count = 0;
-    for form in [Form::Inch, Form::Millimetre] {
+    for form in [ProgramForm::Inch, ProgramForm::Mm] {
         let found = converted(text.as_bytes(), text.len(), setup, form);
         count += found.edits.len();
         let after = String::from_utf8(applied(text.as_bytes(), &found.edits)).expect("UTF-8");
@@ -358,6 +376,36 @@ proptest! {
     #[test]
     fn random_programs_run_the_same(text in program(), setup in any_setup()) {
         check_runs_the_same(&text, &small(&setup)).map_err(TestCaseError::fail)?;
+    }
+}
+
+/// The answer for the page and for Node.
+fn answer(text: &str, form: ProgramForm) -> Converted {
+    let text = text.as_bytes();
+    let mut run = Run::new(text.to_vec(), Setup::default());
+    while !run.advance(1_000) {}
+    let lines = LineIndex::new(text);
+    Places { text, lines: &lines }.converted(&run, form, Language::English)
+}
+
+#[test]
+fn the_first_word_that_stays_is_named() {
+    let check = |text: &str, form: ProgramForm, edits: usize, left: u32, first: Option<(u32, &str)>| {
+        let Converted::Edits { edits: found, left: count, first_left } = answer(text, form) else {
+            panic!("{text} is refused");
+        };
+        assert_eq!((found.len(), count), (edits, left), "{text}");
+        let first = first.map(|(line, text)| LeftWord { line, text: text.to_owned() });
+        assert_eq!(first_left, first, "{text}");
+    };
+    check("G00 U-4\nX30\nU-2\nM30\n", ProgramForm::Absolute, 1, 1, Some((1, "U-4")));
+    check("G00 X30\nM30\n", ProgramForm::Absolute, 0, 0, None);
+    // A unit is converted as a whole or not at all.
+    check("G21\nG00 X30\nG20\nM30\n", ProgramForm::Inch, 0, 2, Some((1, "G21")));
+    let siemens = "(STOCK D=50 LENGTH=60)\nG18 G90 G95 DIAMON\nT1 D1\nG0 X46 Z2\nM30\n";
+    let refused = Converted::Refused { reason: "it is a program for another control".to_owned() };
+    for form in [ProgramForm::Absolute, ProgramForm::OneBlock, ProgramForm::Inch, ProgramForm::SystemB] {
+        assert_eq!(answer(siemens, form), refused);
     }
 }
 

@@ -72,7 +72,7 @@ const NOT_RUN: [(&str, &str); 24] = [
 ];
 
 /// Files that the documents name and that only a build creates.
-const BUILT: [(&str, &str); 12] = [
+const BUILT: [(&str, &str); 13] = [
     ("languages.toml", "the configuration of an editor, Helix"),
     (
         "service-worker.js",
@@ -87,6 +87,7 @@ const BUILT: [(&str, &str); 12] = [
     ("www/dist", "the same command makes it"),
     ("dist/rules", "the same command; `tests/browser/rules.spec.ts` opens its pages"),
     ("rules/en/index.html", "the same"),
+    ("gcode-playground/browser", "an entry of the npm package; `tests/browser/package.spec.ts` imports it"),
     ("rules/<language>/messages.json", "the same command; the tests of `sentences` fill its templates"),
 ];
 

@@ -7,6 +7,7 @@
 
 pub mod assist;
 pub mod calculate;
+mod converted;
 pub mod difference;
 pub mod exercise;
 mod inferred_stock;
@@ -24,6 +25,7 @@ mod units;
 
 use serde::Serialize;
 
+pub use converted::{Converted, LeftWord};
 pub use inferred_stock::{InferredStock, StockRow};
 pub use manual::{ElementNote, InManual};
 pub use profiles::Profiles;

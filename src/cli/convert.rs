@@ -9,9 +9,8 @@ use super::change::{Output, Source};
 use super::configuration::Configurations;
 use super::options::ProgramOptions;
 use super::system::print_error_line;
-use crate::convert::{self, converted};
+use crate::convert::{ProgramForm, converted};
 use crate::message::applied;
-use crate::setup::dialect::GSystem;
 
 /// The arguments of `convert`.
 #[derive(clap::Args)]
@@ -23,61 +22,17 @@ pub(super) struct Convert {
     file: PathBuf,
     /// The form to write.
     #[arg(long)]
-    to: Form,
+    to: ProgramForm,
     #[command(flatten)]
     with: ProgramOptions,
     #[command(flatten)]
     output: Output,
 }
 
-#[derive(Clone, Copy, clap::ValueEnum)]
-enum Form {
-    /// U and W as X and Z
-    Absolute,
-    /// X and Z as U and W
-    Incremental,
-    /// I and K of arcs as R
-    Radius,
-    /// R of arcs as I and K
-    Center,
-    /// G71 to G76 in one block
-    OneBlock,
-    /// G71 to G76 in two blocks
-    TwoBlocks,
-    /// Lengths in millimetres
-    Mm,
-    /// Lengths in inches
-    Inch,
-    /// The codes of G-code system A
-    SystemA,
-    /// The codes of G-code system B
-    SystemB,
-    /// The codes of G-code system C
-    SystemC,
-}
-
-impl From<Form> for convert::Form {
-    fn from(form: Form) -> Self {
-        match form {
-            Form::Absolute => Self::Absolute,
-            Form::Incremental => Self::Incremental,
-            Form::Radius => Self::Radius,
-            Form::Center => Self::Center,
-            Form::OneBlock => Self::OneBlock,
-            Form::TwoBlocks => Self::TwoBlocks,
-            Form::Mm => Self::Millimetre,
-            Form::Inch => Self::Inch,
-            Form::SystemA => Self::System(GSystem::A),
-            Form::SystemB => Self::System(GSystem::B),
-            Form::SystemC => Self::System(GSystem::C),
-        }
-    }
-}
-
 /// Runs `convert`.
 pub(super) fn run(convert: &Convert) -> Result<Status, String> {
     let source = Source::read(&convert.file, &Configurations::new(&convert.with)?)?;
-    let found = converted(source.run_text(), source.own(), &source.setup, convert.to.into());
+    let found = converted(source.run_text(), source.own(), &source.setup, convert.to);
     let changed = (!found.edits.is_empty()).then(|| applied(&source.text, &found.edits));
     if let Some(first) = found.left.first() {
         let count = found.left.len();

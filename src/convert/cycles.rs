@@ -4,14 +4,12 @@
 //! of `control::codes::cycles` say which letter has a role in which block. A word without a letter in the other form,
 //! such as the escape of G71, is omitted: whether the motions stay the same is decided by the caller.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Form, is_plain, with_blank, with_point};
+use super::{ProgramForm, is_plain, labels, with_blank, with_point};
 use crate::assist::Query;
 use crate::assist::fact::Quantity;
 use crate::assist::form::cycle_block;
-use crate::assist::names::Name;
-use crate::assist::uses;
 use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::role::Role;
 use crate::control::codes::words::CodeWord;
@@ -55,17 +53,18 @@ struct Place {
 }
 
 /// The edits of the calls that are in the other form.
-pub(super) fn edits(text: &[u8], setup: &Setup, form: Form) -> BTreeMap<u32, Vec<Edit>> {
+pub(super) fn edits(text: &[u8], setup: &Setup, form: ProgramForm) -> BTreeMap<u32, Vec<Edit>> {
     let mut run = Run::finished(text.to_vec(), setup.clone());
     let codes = run.code_list();
     let own: Vec<Call> = calls(text, codes).into_iter().filter(|call| call.is_other(form)).collect();
     let lines = LineIndex::new(text);
+    let labels = labels(text, codes);
     let own = own.iter().take(MAX_CALLS);
-    own.filter_map(|call| Some((call.own.start, call.edits(&mut run, &lines)?))).collect()
+    own.filter_map(|call| Some((call.own.start, call.edits(&mut run, &lines, &labels)?))).collect()
 }
 
 /// The codes of the calls in the other form.
-pub(super) fn codes_in_other_form(text: &[u8], codes: CodeList, form: Form) -> Vec<Span> {
+pub(super) fn codes_in_other_form(text: &[u8], codes: CodeList, form: ProgramForm) -> Vec<Span> {
     let own = calls(text, codes).into_iter().filter(|call| call.is_other(form));
     own.map(|call| call.first.unwrap_or(call.own).code).collect()
 }
@@ -102,14 +101,15 @@ fn cycle_of(word: &Word, codes: CodeList) -> Option<Multiple> {
 }
 
 impl Call {
-    fn is_other(&self, form: Form) -> bool {
+    fn is_other(&self, form: ProgramForm) -> bool {
         match form {
-            Form::OneBlock => self.block == CycleBlock::Second,
+            ProgramForm::OneBlock => self.block == CycleBlock::Second,
             _ => self.block == CycleBlock::Whole,
         }
     }
 
-    fn edits(&self, run: &mut Run, lines: &LineIndex) -> Option<Vec<Edit>> {
+    /// `labels`: the block numbers that other blocks use.
+    fn edits(&self, run: &mut Run, lines: &LineIndex, labels: &BTreeSet<u32>) -> Option<Vec<Edit>> {
         let dialect = Dialect::new(&run.setup().dialect);
         let writer = Writer { unit: run.state().unit, dialect, cycle: self.cycle, code: self.own.code };
         let own = given(run, lines, self.own.start)?;
@@ -120,7 +120,7 @@ impl Call {
             Some(first) => Some(given(run, lines, first.start)?),
             None => None,
         };
-        writer.in_one_block(run.text(), run.code_list(), first.as_ref(), &own)
+        writer.in_one_block(run.text(), labels, first.as_ref(), &own)
     }
 }
 
@@ -180,14 +180,14 @@ impl Writer {
     fn in_one_block(
         &self,
         text: &[u8],
-        codes: CodeList,
+        labels: &BTreeSet<u32>,
         first: Option<&Given>,
         second: &Given,
     ) -> Option<Vec<Edit>> {
         let sequence = first.and_then(|first| first.block.sequence);
         let is_code = |word: &&Word| b"GM".contains(&word.address);
         let has_more_codes = first.is_some_and(|first| first.block.words.iter().filter(is_code).count() > 1);
-        if has_more_codes || sequence.is_some_and(|own| is_referenced(text, codes, own)) {
+        if has_more_codes || sequence.is_some_and(|own| labels.contains(&own)) {
             return None;
         }
         let mut edits: Vec<Edit> = first.map(|first| without_block(text, &first.block)).into_iter().collect();
@@ -318,11 +318,6 @@ impl Writer {
             _ => false,
         }
     }
-}
-
-/// Whether a block number is used by another block.
-fn is_referenced(text: &[u8], codes: CodeList, number: u32) -> bool {
-    uses::all(text, codes, Name::Sequence(number)).iter().any(|(named, _)| !named.defines)
 }
 
 /// Removes the words of a block; its line, if the block has no comment.

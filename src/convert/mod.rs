@@ -11,9 +11,10 @@ mod cycles;
 mod system;
 pub mod unit;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use crate::assist::names::{Name, names};
 use crate::control::codes::{G, MotionMode, Multiple};
 use crate::control::words::plain;
 use crate::geometry::{Arc, Point};
@@ -31,6 +32,8 @@ use crate::units::{Diameter, Unit, number};
 
 /// The largest number of blocks that are left because their motions would differ.
 const MAX_LEFT: usize = 20;
+/// The largest number of motions of all runs that search for such blocks.
+const MAX_MOTIONS: usize = 4_000_000;
 /// The largest length of all copies of contours, as a multiple of the text.
 const MAX_COPIES: usize = 4;
 /// The largest difference of two motions, mm: the smallest step of a control. A centre that is written with its decimals
@@ -39,27 +42,37 @@ const SAME: f64 = 1e-3;
 /// The largest difference of two motions whose words are exact, mm.
 const EXACT: f64 = 1e-6;
 
-/// The form in which words are written.
+/// The form in which words are written. Its name on the command line and in JavaScript is the variant in kebab case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// Positions: X and Z.
+#[cfg_attr(all(feature = "cli", any(not(target_arch = "wasm32"), feature = "npx")), derive(clap::ValueEnum))]
+#[cfg_attr(
+    target_arch = "wasm32",
+    derive(serde::Deserialize, tsify::Tsify),
+    serde(rename_all = "kebab-case")
+)]
+pub enum ProgramForm {
+    /// U and W as X and Z
     Absolute,
-    /// Distances: U and W.
+    /// X and Z as U and W
     Incremental,
-    /// Arcs by their radius: R.
+    /// I and K of arcs as R
     Radius,
-    /// Arcs by their centre: I and K.
+    /// R of arcs as I and K
     Center,
-    /// Multiple cycles in one block.
+    /// G71 to G76 in one block
     OneBlock,
-    /// Multiple cycles in two blocks.
+    /// G71 to G76 in two blocks
     TwoBlocks,
-    /// Lengths in millimetres: G21.
-    Millimetre,
-    /// Lengths in inches: G20.
+    /// Lengths in millimetres
+    Mm,
+    /// Lengths in inches
     Inch,
-    /// The codes of a G-code system.
-    System(GSystem),
+    /// The codes of G-code system A
+    SystemA,
+    /// The codes of G-code system B
+    SystemB,
+    /// The codes of G-code system C
+    SystemC,
 }
 
 /// The edits that write a program in another form.
@@ -72,23 +85,26 @@ pub struct Conversion {
 }
 
 /// Writes a program in a form. `own`: the length of the program itself, bytes; subprograms from other files after it stay.
-pub fn converted(text: &[u8], own: usize, setup: &Setup, form: Form) -> Conversion {
+pub fn converted(text: &[u8], own: usize, setup: &Setup, form: ProgramForm) -> Conversion {
     match form {
-        Form::Millimetre => return unit::converted(text, own, setup, Unit::Millimetre),
-        Form::Inch => return unit::converted(text, own, setup, Unit::Inch),
-        Form::System(system) => return system::converted(text, own, setup, system),
+        ProgramForm::Mm => return unit::converted(text, own, setup, Unit::Millimetre),
+        ProgramForm::Inch => return unit::converted(text, own, setup, Unit::Inch),
+        ProgramForm::SystemA => return system::converted(text, own, setup, GSystem::A),
+        ProgramForm::SystemB => return system::converted(text, own, setup, GSystem::B),
+        ProgramForm::SystemC => return system::converted(text, own, setup, GSystem::C),
         _ => {}
     }
     let runs = runs(text, setup);
     let (words, mut found) = match form {
-        Form::OneBlock | Form::TwoBlocks => {
+        ProgramForm::OneBlock | ProgramForm::TwoBlocks => {
             let codes = runs[0].1.codes;
             (cycles::codes_in_other_form(&text[..own], codes, form), cycles::edits(text, setup, form))
         }
         _ => (words(&text[..own], form), edits_of_blocks(text, &runs[0].1, form)),
     };
     found.retain(|start, _| (*start as usize) < own);
-    for _ in 0..MAX_LEFT {
+    let motions: usize = runs.iter().map(|(_, run)| run.motions.len()).sum();
+    for _ in 0..MAX_LEFT.min(MAX_MOTIONS / motions.max(1)).max(1) {
         let edits: Vec<Edit> = found.values().flatten().cloned().collect();
         if edits.is_empty() {
             break;
@@ -96,7 +112,8 @@ pub fn converted(text: &[u8], own: usize, setup: &Setup, form: Form) -> Conversi
         match first_wrong(text, &edits, &runs, form) {
             None => {
                 let is_written = |word: &Span| {
-                    edits.iter().any(|edit| (edit.span.start..edit.span.end).contains(&word.start))
+                    let at = edits.partition_point(|edit| edit.span.end <= word.start);
+                    edits.get(at).is_some_and(|edit| edit.span.start <= word.start)
                 };
                 let left = words.into_iter().filter(|word| !is_written(word)).collect();
                 return Conversion { edits, left };
@@ -127,9 +144,9 @@ fn is_run(analysis: &Analysis) -> bool {
 }
 
 /// The block of the first motion that edits change; the largest number if only their number or the messages differ.
-fn first_wrong(text: &[u8], edits: &[Edit], runs: &[(Setup, Analysis)], form: Form) -> Option<u32> {
+fn first_wrong(text: &[u8], edits: &[Edit], runs: &[(Setup, Analysis)], form: ProgramForm) -> Option<u32> {
     let after = applied(text, edits);
-    let tolerance = if matches!(form, Form::Radius | Form::Center) { SAME } else { EXACT };
+    let tolerance = if matches!(form, ProgramForm::Radius | ProgramForm::Center) { SAME } else { EXACT };
     runs.iter().find_map(|(setup, before)| {
         let after = analyze(&after, setup);
         match first_other_motion(&before.motions, &after.motions, tolerance) {
@@ -142,7 +159,7 @@ fn first_wrong(text: &[u8], edits: &[Edit], runs: &[(Setup, Analysis)], form: Fo
 }
 
 /// The words of moves that are not in a form.
-fn words(text: &[u8], form: Form) -> Vec<Span> {
+fn words(text: &[u8], form: ProgramForm) -> Vec<Span> {
     let (mut parser, mut block, mut all) = (Parser::new(text), Block::default(), Vec::new());
     while parser.next_block(&mut block) {
         let is_of_move = |code: G| is_modal(code) || matches!(code, G::Motion(_));
@@ -154,15 +171,15 @@ fn words(text: &[u8], form: Form) -> Vec<Span> {
 }
 
 /// Whether a word of a block is a coordinate or an arc in another form.
-fn is_other(word: &Word, form: Form, block: &Block) -> bool {
+fn is_other(word: &Word, form: ProgramForm, block: &Block) -> bool {
     let is_arc =
         block.words.iter().any(|word| word.address == b'G' && matches!(plain(word), Some(2.0 | 3.0)));
     !word.comma
         && match form {
-            Form::Absolute => matches!(word.address, b'U' | b'W'),
-            Form::Incremental => matches!(word.address, b'X' | b'Z'),
-            Form::Radius => is_arc && matches!(word.address, b'I' | b'K'),
-            Form::Center => is_arc && word.address == b'R',
+            ProgramForm::Absolute => matches!(word.address, b'U' | b'W'),
+            ProgramForm::Incremental => matches!(word.address, b'X' | b'Z'),
+            ProgramForm::Radius => is_arc && matches!(word.address, b'I' | b'K'),
+            ProgramForm::Center => is_arc && word.address == b'R',
             _ => false,
         }
 }
@@ -179,21 +196,21 @@ struct Move {
 
 impl Move {
     /// Whether two executions of a block are the same in a form: the words of the other form do not depend on the rest.
-    fn agrees(&self, other: &Self, form: Form) -> bool {
+    fn agrees(&self, other: &Self, form: ProgramForm) -> bool {
         let near = |a: Point, b: Point| a.distance(b) <= EXACT;
         let way = |own: &Self| Point::new(own.to.x - own.from.x, own.to.z - own.from.z);
         self.is_known == other.is_known
             && match form {
-                Form::Absolute => near(self.to, other.to),
-                Form::Incremental => near(way(self), way(other)),
+                ProgramForm::Absolute => near(self.to, other.to),
+                ProgramForm::Incremental => near(way(self), way(other)),
                 _ => near(way(self), way(other)) && self.arc.is_some() == other.arc.is_some(),
             }
     }
 }
 
 /// The edits of each block, by its first byte.
-fn edits_of_blocks(text: &[u8], analysis: &Analysis, form: Form) -> BTreeMap<u32, Vec<Edit>> {
-    let is_distance = matches!(form, Form::Absolute | Form::Incremental);
+fn edits_of_blocks(text: &[u8], analysis: &Analysis, form: ProgramForm) -> BTreeMap<u32, Vec<Edit>> {
+    let is_distance = matches!(form, ProgramForm::Absolute | ProgramForm::Incremental);
     if is_distance && analysis.codes != CodeList::A || !has_one_unit(text, analysis.codes, analysis.unit) {
         return BTreeMap::new();
     }
@@ -228,9 +245,11 @@ struct Piece {
 impl Unrolled {
     fn of(text: &[u8], codes: CodeList) -> Self {
         let (mut parser, mut block) = (Parser::new(text), Block::default());
-        let (mut numbered, mut calls) = (Vec::new(), Vec::new());
+        let (mut numbered, mut calls): (BTreeMap<u32, Vec<Span>>, _) = (BTreeMap::new(), Vec::new());
         while parser.next_block(&mut block) {
-            numbered.extend(block.sequence.map(|number| (number, block.span)));
+            if let Some(number) = block.sequence {
+                numbered.entry(number).or_default().push(block.span);
+            }
             let value = |address: u8| block.words.iter().find(|word| word.address == address).and_then(plain);
             let finishes = |word| g(word, codes) == Some(G::Multiple(Multiple::Finishing));
             if let (true, Some(p), Some(q)) = (block.words.iter().any(finishes), value(b'P'), value(b'Q')) {
@@ -240,13 +259,15 @@ impl Unrolled {
         let mut unrolled = Self::default();
         let mut done = 0;
         for (call, p, q) in calls {
-            let Some(at) = numbered.iter().position(|(number, _)| *number == p) else { continue };
-            let Some((_, last)) = numbered[at..].iter().find(|(number, _)| *number == q) else { continue };
+            let Some(first) = numbered.get(&p).map(|places| places[0]) else { continue };
+            let Some(places) = numbered.get(&q) else { continue };
+            let behind = places.partition_point(|place| place.start < first.start);
+            let Some(last) = places.get(behind) else { continue };
             if unrolled.text.len() > MAX_COPIES * text.len() {
                 break;
             }
             unrolled.push(text, done..call.start, false);
-            unrolled.push(text, numbered[at].1.start..last.end, true);
+            unrolled.push(text, first.start..last.end, true);
             done = call.end;
         }
         unrolled.push(text, done..text.len() as u32, false);
@@ -271,6 +292,31 @@ impl Unrolled {
     }
 }
 
+/// The block numbers to which a program can jump.
+fn labels(text: &[u8], codes: CodeList) -> BTreeSet<u32> {
+    let (mut parser, mut block, mut all) = (Parser::new(text), Block::default(), BTreeSet::new());
+    while parser.next_block(&mut block) {
+        all.extend(names(text, &block, codes).iter().filter(|named| !named.defines).filter_map(|named| {
+            match named.name {
+                Name::Sequence(number) => Some(number),
+                _ => None,
+            }
+        }));
+    }
+    all
+}
+
+/// The words of the first block that has any.
+fn first_block(text: &[u8]) -> Span {
+    let (mut parser, mut block) = (Parser::new(text), Block::default());
+    while parser.next_block(&mut block) {
+        if !block.words.is_empty() {
+            return block.words_span();
+        }
+    }
+    Span::default()
+}
+
 /// Whether all blocks are in one unit.
 fn has_one_unit(text: &[u8], codes: CodeList, unit: Unit) -> bool {
     let (mut parser, mut block) = (Parser::new(text), Block::default());
@@ -287,7 +333,7 @@ fn has_one_unit(text: &[u8], codes: CodeList, unit: Unit) -> bool {
 }
 
 /// The moves of the blocks, by the first bytes of their originals; `None` if a block is executed in several ways.
-fn moves(unrolled: &Unrolled, analysis: &Analysis, form: Form) -> BTreeMap<u32, Option<Move>> {
+fn moves(unrolled: &Unrolled, analysis: &Analysis, form: ProgramForm) -> BTreeMap<u32, Option<Move>> {
     let motions = &analysis.motions;
     let mut moves: BTreeMap<u32, Option<Move>> = BTreeMap::new();
     let mut is_known = [false; 2];
@@ -418,7 +464,7 @@ fn leads_elsewhere(block: &Block, list: CodeList) -> bool {
 /// Writes the words of blocks.
 struct Writer<'a> {
     text: &'a [u8],
-    form: Form,
+    form: ProgramForm,
     unit: Unit,
     decimal: DecimalRule,
 }
@@ -430,10 +476,10 @@ impl Writer<'_> {
         let others: Vec<Word> =
             block.words.iter().filter(|word| is_other(word, self.form, &block)).copied().collect();
         match self.form {
-            Form::Absolute | Form::Incremental => {
+            ProgramForm::Absolute | ProgramForm::Incremental => {
                 others.iter().filter_map(|word| self.coordinate(word, own)).collect()
             }
-            Form::Radius => self.radius(&others, own).unwrap_or_default(),
+            ProgramForm::Radius => self.radius(&others, own).unwrap_or_default(),
             _ => self.center(&others, own).unwrap_or_default(),
         }
     }
@@ -446,7 +492,7 @@ impl Writer<'_> {
         }
         let way = Point::new(own.to.x - own.from.x, own.to.z - own.from.z);
         let (to, letters) = match self.form {
-            Form::Incremental => (way, ['U', 'W']),
+            ProgramForm::Incremental => (way, ['U', 'W']),
             _ => (own.to, ['X', 'Z']),
         };
         let value = if is_x { Diameter::from_radius(to.x).mm() } else { to.z };

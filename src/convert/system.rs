@@ -6,9 +6,8 @@
 
 use std::collections::BTreeSet;
 
-use super::{Conversion, EXACT, is_run, runs, with_blank};
+use super::{Conversion, EXACT, first_block, is_run, labels, runs, with_blank};
 use crate::assist::form::{Form, g_of};
-use crate::assist::names::{Name, names};
 use crate::assist::role::Role;
 use crate::control::codes::words::Axes;
 use crate::control::codes::{G, g_code};
@@ -45,7 +44,7 @@ pub(super) fn converted(text: &[u8], own: usize, setup: &Setup, to: GSystem) -> 
         let mut setup = setup.clone();
         setup.dialect.g_system = Some(to);
         let after = analyze(&after, &setup);
-        first_other(before, &after).or_else(|| (after.codes != to_list).then_some(first_block))
+        first_other(before, &after, first_block).or_else(|| (after.codes != to_list).then_some(first_block))
     });
     match other {
         None => Conversion { edits, left: Vec::new() },
@@ -53,39 +52,15 @@ pub(super) fn converted(text: &[u8], own: usize, setup: &Setup, to: GSystem) -> 
     }
 }
 
-/// The words of the first block that has any.
-fn first_block(text: &[u8]) -> Span {
-    let (mut parser, mut block) = (Parser::new(text), Block::default());
-    while parser.next_block(&mut block) {
-        if !block.words.is_empty() {
-            return block.words_span();
-        }
-    }
-    Span::default()
-}
-
-/// The block from which on the motions differ; the first one if only the messages differ.
-fn first_other(before: &Analysis, after: &Analysis) -> Option<Span> {
+/// The block from which on the motions differ; the first one if only the messages differ, or `first_block` without
+/// motions.
+fn first_other(before: &Analysis, after: &Analysis, first_block: Span) -> Option<Span> {
     let motions = &before.motions;
-    let place = |index: usize| if index < motions.len() { motions.span(index) } else { Span::default() };
+    let place = |index: usize| if index < motions.len() { motions.span(index) } else { first_block };
     match first_other_motion(motions, &after.motions, EXACT) {
         Some(index) => Some(place(index)),
         None => (!has_no_new_complaints(before, after)).then(|| place(0)),
     }
-}
-
-/// The block numbers to which a program can jump.
-fn labels(text: &[u8], codes: CodeList) -> BTreeSet<u32> {
-    let (mut parser, mut block, mut all) = (Parser::new(text), Block::default(), BTreeSet::new());
-    while parser.next_block(&mut block) {
-        all.extend(names(text, &block, codes).iter().filter(|named| !named.defines).filter_map(|named| {
-            match named.name {
-                Name::Sequence(number) => Some(number),
-                _ => None,
-            }
-        }));
-    }
-    all
 }
 
 struct Writer<'a> {

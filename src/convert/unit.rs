@@ -4,7 +4,7 @@
 //! prevent the conversion. It is all or nothing: a program has one unit. Lengths are rounded to the least increment of
 //! the new unit; positions differ by at most [`NEAR`].
 
-use super::{Conversion, has_one_unit, is_run, runs, with_point};
+use super::{Conversion, first_block, has_one_unit, is_run, runs, with_point};
 use crate::assist::form::{Form, g_of};
 use crate::assist::role::Role;
 use crate::control::codes::words::Axes;
@@ -76,16 +76,18 @@ pub(super) fn converted(text: &[u8], own: usize, setup: &Setup, to: Unit) -> Con
         Ok(edits) => edits,
         Err(place) => return refused(vec![place]),
     };
-    let after = applied(text, &edits);
-    let other = runs.iter().find_map(|(setup, before)| first_other(before, &analyze(&after, setup), to));
+    let (after, first_block) = (applied(text, &edits), first_block(text));
+    let other =
+        runs.iter().find_map(|(setup, before)| first_other(before, &analyze(&after, setup), to, first_block));
     match other {
         None => Conversion { edits, left: Vec::new() },
         Some(place) => refused(vec![place]),
     }
 }
 
-/// The block from which on the motions differ; the first one if only the messages differ.
-fn first_other(before: &Analysis, after: &Analysis, to: Unit) -> Option<Span> {
+/// The block from which on the motions differ; the first one if only the messages differ, or `first_block` without
+/// motions.
+fn first_other(before: &Analysis, after: &Analysis, to: Unit, first_block: Span) -> Option<Span> {
     let motions = &before.motions;
     let other = motions.iter().zip(after.motions.iter()).position(|(one, other)| !is_same(&one, &other));
     if let Some(index) = other {
@@ -95,7 +97,7 @@ fn first_other(before: &Analysis, after: &Analysis, to: Unit) -> Option<Span> {
         && before.codes == after.codes
         && after.unit == to
         && has_no_new_complaints(before, after);
-    (!is_same).then(|| if motions.is_empty() { Span::default() } else { motions.span(0) })
+    (!is_same).then(|| if motions.is_empty() { first_block } else { motions.span(0) })
 }
 
 fn is_same(one: &Motion, other: &Motion) -> bool {

@@ -2,13 +2,10 @@
 //!
 //! In: the finished run of the program. Out: bytes, a painted canvas.
 
-use serde::Deserialize;
-use serde::de::IntoDeserializer;
-use serde::de::value::Error as ValueError;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
-use super::{Playground, error, to_js};
+use super::{Playground, to_js, variant};
 use crate::api;
 use crate::current::Current;
 use crate::expand::expand;
@@ -81,7 +78,7 @@ impl Playground {
 
 late! {
     fn bytes_of(playground: &mut Playground, format: &str) -> Result<Option<Vec<u8>>, JsValue> {
-        let format = file_format(format)?;
+        let format: FileFormat = variant(format)?;
         playground.current.finish_part();
         let (current, setup) = (&playground.current, playground.current.run().setup_at_machine());
         Ok(file(format, &FinishedProgram { current, setup }, playground.language))
@@ -101,13 +98,8 @@ late! {
     }
 
     fn ending_of(format: &str) -> Result<String, JsValue> {
-        Ok(file_format(format)?.ending().to_owned())
+        Ok(variant::<FileFormat>(format)?.ending().to_owned())
     }
-}
-
-fn file_format(name: &str) -> Result<FileFormat, JsValue> {
-    FileFormat::deserialize(name.into_deserializer())
-        .map_err(|problem: ValueError| error(&problem.to_string()))
 }
 
 /// The current program with all its material removed.

@@ -25,7 +25,9 @@ pub use picture_name::PictureName;
 pub use pictures::Drawn;
 
 use js_sys::{Float64Array, RangeError, Reflect, Uint8Array};
-use serde::Serialize;
+use serde::de::IntoDeserializer;
+use serde::de::value::Error as ValueError;
+use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
 use crate::api::{self, Places, Summary};
@@ -492,6 +494,11 @@ impl Playground {
 /// The error to throw for an invalid argument.
 fn error(text: &str) -> JsValue {
     js_sys::Error::new(text).into()
+}
+
+/// The variant of an enum that a name selects.
+fn variant<'a, T: Deserialize<'a>>(name: &'a str) -> Result<T, JsValue> {
+    T::deserialize(name.into_deserializer()).map_err(|problem: ValueError| error(&problem.to_string()))
 }
 
 fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {

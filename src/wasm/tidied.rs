@@ -1,8 +1,9 @@
-//! The program formatted, renumbered or repaired, for JavaScript.
+//! The program formatted, renumbered, converted or repaired, for JavaScript.
 
 use wasm_bindgen::prelude::*;
 
-use super::{Playground, error, to_js};
+use super::{Playground, error, to_js, variant};
+use crate::convert::ProgramForm;
 use crate::parts::late;
 use crate::renumber::{Blocks, Numbering};
 use crate::repair::repaired;
@@ -27,6 +28,16 @@ impl Playground {
         renumbered(self, from, step, blocks)
     }
 
+    /// The edits that write the program in a form: coordinates as positions or distances, arcs by radius or centre,
+    /// multiple cycles in one block or two, lengths in a unit, or the codes of a G-code system.
+    #[wasm_bindgen(unchecked_return_type = "Converted")]
+    pub fn converted(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "ProgramForm")] form: &str,
+    ) -> Result<JsValue, JsValue> {
+        converted(self, form)
+    }
+
     /// The program with all safe fixes, which do not change what it does.
     pub fn repaired(&self) -> String {
         safely_repaired(self)
@@ -47,6 +58,11 @@ late! {
             other => return Err(error(&format!("`blocks` is `numbered`, `all` or `none`, not `{other}`"))),
         };
         to_js(&playground.places().renumbered(playground.current.run(), numbering, playground.language))
+    }
+
+    fn converted(playground: &Playground, form: &str) -> Result<JsValue, JsValue> {
+        let form: ProgramForm = variant(form)?;
+        to_js(&playground.places().converted(playground.current.run(), form, playground.language))
     }
 
     fn safely_repaired(playground: &Playground) -> String {

@@ -34,6 +34,7 @@ const DIALOGS: readonly Opened[] = [
   fromMenu('help', 'Supported codes', 'Supported codes'),
   fromMenu('more', 'Compare with another version…', 'Compare with another version'),
   fromMenu('more', 'Report a difference to my machine…', /machine/),
+  fromMenu('more', 'Convert…', 'Convert'),
   fromMenu('more', 'Expand cycles', /.*/),
   fromMenu('more', 'Write as a cycle…', /cycle/),
   fromMenu('more', /^Time and totals/, 'Time and totals'),

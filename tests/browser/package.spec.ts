@@ -131,7 +131,7 @@ test('the examples of the documents run in Node', async () => {
     `
     import assert from 'node:assert/strict';
     import {
-      check, clean, diff, expand, format, motions, part, renumber, repair, summary, svg,
+      check, clean, convert, diff, expand, format, motions, part, renumber, repair, summary, svg,
     } from 'gcode-playground';
     import 'gcode-playground/element.js';
     const rapid = '(STOCK D=60 LENGTH=80)\\nT0101\\nM3 S500\\nG00 X62 Z2\\nG00 Z-30 X20\\nM30\\n';
@@ -159,6 +159,13 @@ test('the examples of the documents run in Node', async () => {
     assert.equal(renumber('N1 G00 X1\\nN2 GOTO 4\\nN4 M30\\n', { from: 100, step: 5 }), 'N100 G00 X1\\nN105 GOTO 110\\nN110 M30\\n');
     assert.throws(() => renumber('N1 G00 X1\\nGOTO #1\\nM30\\n'), /line 2: not renumbered/);
     assert.throws(() => renumber('', { from: 0 }), /from/);
+    const arc = 'G00 X20 Z-5\\nG02 X30 Z-10 R5 F.1\\nM30\\n';
+    assert.deepEqual(convert(arc, 'center'), { text: arc.replace('R5', 'I5 K0'), left: 0, firstLeft: undefined });
+    assert.deepEqual(convert('G00 U-4\\nX30\\nU-2\\nM30\\n', 'absolute'), {
+      text: 'G00 U-4\\nX30\\nX28\\nM30\\n', left: 1, firstLeft: { line: 1, text: 'U-4' },
+    });
+    assert.throws(() => convert(arc, 'polar'), /unknown variant.*incremental/);
+    assert.throws(() => check(arc, {}, { signal: AbortSignal.abort() }), /in Node/);
     assert(diff(bar, bar).sameMotions && !diff(bar, bar.replace('X26', 'X27')).sameMotions);
     assert.deepEqual(clean('Turn the shaft:\\nO0001\\nG00 X32 Z2\\nG01 Z-20 F0.1\\nM30\\nThen measure it.\\n').length, 1);
   `,
@@ -182,6 +189,7 @@ test('the package works in TypeScript in strict mode', async () => {
     join(project, 'program.ts'),
     `
     import { check, motions, svg, type Diagnostic, type Setup } from 'gcode-playground';
+    import { check as later, convert, type Converted } from 'gcode-playground/browser';
     import type { GcodePlayground } from 'gcode-playground/element.js';
     import type {} from 'gcode-playground/react';
     import type {} from 'gcode-playground/preact';
@@ -202,6 +210,12 @@ test('the package works in TypeScript in strict mode', async () => {
     export const inSolid: SolidJSX.IntrinsicElements['gcode-playground'] = { class: 'wide', 'prop:value': 'G00 X50', 'on:gcode-error': ({ detail }) => console.log(detail.message) };
     const found: Diagnostic[] = check('G00 X50', { dialect: { control: 'gsk' } }, { language: 'zh' });
     export const lines: number[] = found.map(({ line }) => line);
+    export const soon: Promise<Diagnostic[]> = later('G00 X50', setup, { language: 'ru', signal: AbortSignal.timeout(9) });
+    export const written: Promise<Converted> = convert('G00 X50', 'two-blocks');
+    // @ts-expect-error: no such form.
+    void convert('G00 X50', 'polar');
+    // @ts-expect-error: in Node a run cannot be ended.
+    check('', {}, { signal: AbortSignal.timeout(9) });
     export const ends: number[] = motions('G00 X50').map(({ to }) => to.x);
     export const picture: string = svg(new Uint8Array());
     export function use(element: GcodePlayground): void {
@@ -297,6 +311,71 @@ test('the element works in a plain page, as in its README', async ({ page }) => 
   try {
     await page.goto(`${site.origin}/index.html`);
     expect(await motionsShown(page)).toBe(10);
+  } finally {
+    await site.close();
+  }
+});
+
+test('the functions for browsers work in a plain page, as in the documents', async ({ page }) => {
+  const example = await block(join(WWW, 'docs', 'library.md'), "import { check } from 'gcode-playground/browser'");
+  const imports = { 'gcode-playground/browser': '/gcode-playground/node/browser.js' };
+  const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title><script type="importmap">${JSON.stringify({ imports })}</script></head><body><script type="module">${example}</script></body></html>`;
+  const site = await serve(join(project, 'node_modules', 'gcode-playground'), () => ({
+    filesAt: '/gcode-playground/',
+    pages: { '/index.html': html },
+  }));
+  try {
+    await page.goto(`${site.origin}/index.html`);
+    await expect.poll(() => page.title()).toMatch(/^[1-9] [EW]-/);
+  } finally {
+    await site.close();
+  }
+});
+
+test('the functions for browsers work in a worker bundled by Vite; a signal ends a long run', async ({ page }) => {
+  test.setTimeout(120_000);
+  const folder = join(project, 'checked');
+  await mkdir(folder, { recursive: true });
+  await writeFile(
+    join(folder, 'index.html'),
+    '<!DOCTYPE html><html lang="en"><head><title>Checked</title></head><body><script type="module" src="./main.js"></script></body></html>',
+  );
+  await writeFile(
+    join(folder, 'main.js'),
+    `const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+    worker.onmessage = ({ data }) => { document.body.textContent = JSON.stringify(data); };
+    worker.postMessage('G00 X62 Z2 M03 S800\\nG90 X50 Z-30 F0.2\\nX45\\nG00 X100 Z100\\nM30');`,
+  );
+  await writeFile(
+    join(folder, 'worker.js'),
+    `import { check, motions, part, summary } from 'gcode-playground/browser';
+    onmessage = async ({ data }) => {
+      const rows = await motions(data);
+      // The material of twenty thousand motions is removed at most.
+      const long = '(STOCK D=60 LENGTH=80)\\nT0101 S500 M03\\n' + 'G01 X50 Z-9 F.2\\nX70 Z5\\n'.repeat(9_000);
+      const controller = new AbortController();
+      const ended = part(long, {}, { signal: controller.signal }).then(() => 'done', (error) => error.name);
+      setTimeout(() => controller.abort());
+      postMessage({
+        motions: rows.length,
+        ended: await ended,
+        after: (await summary(data)).motions,
+        refused: await check(5).catch((error) => error.name),
+        aborted: await check(data, {}, { signal: AbortSignal.abort() }).catch((error) => error.name),
+      });
+    };`,
+  );
+  await run(
+    process.execPath,
+    [join(WWW, 'node_modules', 'vite', 'bin', 'vite.js'), 'build', folder, '--base=./', '--logLevel=warn'],
+    { cwd: project },
+  );
+  const site = await serve(join(folder, 'dist'), () => ({ filesAt: '/deep/down/' }));
+  try {
+    await page.goto(`${site.origin}/deep/down/index.html`);
+    await expect
+      .poll(async () => JSON.parse((await page.textContent('body'))?.trim() || '{}') as unknown)
+      .toEqual({ motions: 10, ended: 'AbortError', after: 10, refused: 'TypeError', aborted: 'AbortError' });
   } finally {
     await site.close();
   }

@@ -1,4 +1,4 @@
-// "Format" and "Renumber…": the text changes, the program does not.
+// "Format", "Renumber…" and "Convert…": the text changes, the program does not.
 import { expect, test } from './engines';
 import { choose, editor, open, settled, type, value } from './page';
 
@@ -52,4 +52,36 @@ test('references follow new numbers, and a computed one keeps the old numbers', 
   await dialog.getByRole('button', { name: 'Renumber', exact: true }).click();
   await expect(dialog.getByRole('status')).toContainText('Not renumbered. Line 2:');
   expect(await value(page)).toBe(computed);
+});
+
+test('a program is converted in one step, and a word that must stay is named', async ({ page }) => {
+  await open(page);
+  // From X20 Z-5, the first known position, by 10 mm on the diameter and -5 mm; the distance before it is unknown.
+  const text = 'G00 U-4\nX20 Z-5\nG02 U10 W-5 R5 F.1\nM30\n';
+  await type(page, text);
+  await settled(page);
+  const dialog = page.getByRole('dialog', { name: 'Convert' });
+  const convert = async (form: string): Promise<void> => {
+    await choose(page, 'more', 'Convert…');
+    await dialog.getByRole('combobox').selectOption(form);
+    await dialog.getByRole('button', { name: 'Convert', exact: true }).click();
+  };
+  await convert('absolute');
+  await expect(dialog).toBeHidden();
+  expect(await value(page)).toBe('G00 U-4\nX20 Z-5\nG02 X30 Z-10 R5 F.1\nM30\n');
+  await expect(page.getByText('1 word stays: U-4 in line 1.')).toBeVisible();
+  await convert('center');
+  await expect(dialog).toBeHidden();
+  expect(await value(page)).toBe('G00 U-4\nX20 Z-5\nG02 X30 Z-10 I5 K0 F.1\nM30\n');
+  await convert('two-blocks');
+  await expect(dialog.getByRole('status')).toHaveText('Nothing to convert: the program is already in this form.');
+  await dialog.getByRole('combobox').selectOption('absolute');
+  await expect(dialog.getByRole('status')).toHaveText('');
+  await dialog.getByRole('button', { name: 'Convert', exact: true }).click();
+  await expect(dialog.getByRole('status')).toHaveText('Not converted: U-4 in line 1 cannot be changed.');
+  await page.keyboard.press('Escape');
+  await editor(page).focus();
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  expect(await value(page)).toBe(text);
 });

@@ -16,6 +16,7 @@ use std::{env, fs, io};
 use endless::{Hostile, MAX_SECONDS, hostile};
 use gcode_playground::analyze;
 use gcode_playground::api::{Places, Summary};
+use gcode_playground::convert::{ProgramForm, converted};
 use gcode_playground::export::card::Card;
 use gcode_playground::paste::find;
 use gcode_playground::run::Run;
@@ -78,8 +79,8 @@ fn main() -> io::Result<()> {
     fs::write(folder.join("cases.json"), serde_json::to_string(&told)?)
 }
 
-/// Work of the command line that once took quadratic time or was slow: the setup sheet of 100,000 tools, and
-/// the search for programs in a line of 10 MB.
+/// Work that once took quadratic time or was slow: the setup sheet of 100,000 tools, other forms of many blocks, and the
+/// search for programs in a line of 10 MB.
 fn quick_enough() -> io::Result<()> {
     let tools: String = (1..=100_000).map(|tool| format!("T{tool:04}\nG00 X50 Z2\nG01 Z-5 F0.2\n")).collect();
     within("a setup sheet", 2.0, || {
@@ -96,6 +97,14 @@ fn quick_enough() -> io::Result<()> {
         card.html(Language::English).len()
     })?;
     let line = "X1".repeat(5_000_000);
+    let moves: String =
+        (0..100_000).map(|line| format!("G01 X{} Z-{} F0.2\n", line % 90, line % 70)).collect();
+    let other_form = |text: &str| {
+        converted(text.as_bytes(), text.len(), &Setup::default(), ProgramForm::Incremental).edits.len()
+    };
+    within("distances of 100,000 lines", 4.0, || other_form(&format!("G00 X50 Z2\n{moves}M30\n")))?;
+    let finishing: String = (1..50_000).map(|number| format!("N{number} G70 P99999 Q99998\n")).collect();
+    within("50,000 contours that are missing", 4.0, || other_form(&format!("G00 X50 Z2\n{finishing}M30\n")))?;
     within("a line of 10 MB", 4.0, || find(&line).programs.iter().map(|program| program.text().len()).sum())
 }
 

@@ -41,6 +41,8 @@ pub fn element(setup: &Setup) -> Result<Duration> {
         copy(&run::www().join("pkg").join(file), &folder.join("node").join(file))?;
     }
     change(&folder.join("node/part-files.js"), "'./", "'../")?;
+    // A bundler copies the file of this address.
+    change(&folder.join("node/gcode_playground.js"), "'gcode_playground_bg.wasm'", "'../core.wasm'")?;
     // Only the newest type library contains this symbol.
     change(&folder.join("node/gcode_playground.d.ts"), "    [Symbol.dispose](): void;\n", "")?;
     // The build of the page writes the beginning of the file.

@@ -1,7 +1,15 @@
-import type { Diagnostic, Motion, Part, ProgramDifference, Summary } from './gcode_playground.js';
+import type {
+  Diagnostic,
+  LeftWord,
+  Motion,
+  Part,
+  ProgramDifference,
+  ProgramForm,
+  Summary,
+} from './gcode_playground.js';
 import type { Setup } from './setup.js';
 
-export type { Diagnostic, Motion, Part, ProgramDifference, Summary };
+export type { Diagnostic, LeftWord, Motion, Part, ProgramDifference, ProgramForm, Summary };
 export type {
   Setup,
   SetupDialect,
@@ -74,6 +82,28 @@ export function renumber(
   setup?: Setup | string,
   options?: Options,
 ): string;
+
+export interface Converted {
+  readonly text: string;
+  /** Number of words that stay in their form. */
+  readonly left: number;
+  /** The first of them, or the block that prevents the conversion; `line` counts from 1. */
+  readonly firstLeft: LeftWord | undefined;
+}
+
+/**
+ * The program in another form: U and W as X and Z (`absolute`) or back (`incremental`), arcs by R (`radius`) or by I and
+ * K (`center`), G71 to G76 in `one-block` or `two-blocks`, lengths in `mm` or `inch`, or the codes of another G-code
+ * system. It is run before and after: the motions stay the same.
+ *
+ * @throws `Error` if the program is for another control, and as `check` does.
+ */
+export function convert(
+  text: string | Uint8Array,
+  form: ProgramForm,
+  setup?: Setup | string,
+  options?: Options,
+): Converted;
 
 /** The differences between two versions of a program. Throws as `check` does. */
 export function diff(

@@ -4,6 +4,7 @@
 import { atCursor } from './at-cursor';
 import { calculator } from './calculator';
 import { codes } from './codes';
+import { convert } from './convert';
 import { exercise } from './exercise';
 import { exports } from './exports';
 import { fileBar } from './file-bar';
@@ -71,6 +72,7 @@ export const FURTHER: readonly PanelKind[] = [
   exports,
   rewrite,
   tidy,
+  convert,
   writtenOut,
   help,
   codes,

@@ -9,6 +9,7 @@ import type { Language } from '../dom/language';
 import { menuItem } from '../dom/menu';
 import { COMMON, words } from '../dom/words';
 import type { Numbering, Tidied } from '../protocol/protocol';
+import { applyEdits } from './apply-edits';
 import type { Panel, PanelKind, Shell } from './panel';
 import tidyStyles from './tidy.css?inline';
 
@@ -118,20 +119,13 @@ class Tidy implements Panel {
     ask: () => Promise<Tidied | undefined>,
     [changed, same]: readonly [string, string],
   ): Promise<string | undefined> {
-    const { editor } = this.#shell;
-    this.#shell.flush();
-    const { revision } = editor;
-    const answer = await ask();
-    if (answer === undefined || editor.revision !== revision) return undefined;
+    const answer = await applyEdits(this.#shell, ask);
+    if (answer === undefined) return undefined;
     if (answer.kind === 'refused') {
       const { line, reason } = answer;
       const { language } = this.#shell;
       const text = line === undefined ? reason : WORDS[language].at(COMMON[language].line(line), reason);
       return text.charAt(0).toLocaleUpperCase(language) + text.slice(1);
-    }
-    if (answer.edits.length > 0) {
-      editor.change(answer.edits);
-      this.#shell.commitEdit();
     }
     this.#shell.service('notice')(answer.edits.length > 0 ? changed : same, 'program');
     return undefined;

@@ -12,6 +12,7 @@ import type {
   CalculatorForm,
   Codes,
   Comparison,
+  Converted,
   Diagnostic,
   Dimension,
   DrilledHole,
@@ -29,6 +30,7 @@ import type {
   FoundPrograms,
   Palette,
   PictureName,
+  ProgramForm,
   Readout,
   Rewriting,
   SectionPiece,
@@ -60,6 +62,7 @@ export type {
   CalculatorForm,
   Codes,
   Comparison,
+  Converted,
   Diagnostic,
   Dimension,
   DrilledHole,
@@ -70,6 +73,7 @@ export type {
   Measurement,
   Palette,
   PictureName,
+  ProgramForm,
   Readout,
   Rewriting,
   SectionPiece,
@@ -314,6 +318,8 @@ export interface Questions {
   formatted: { args: undefined; answer: Tidied };
   /** The edits that renumber the program, or why it stays as it is. */
   renumbered: { args: Numbering; answer: Tidied };
+  /** The edits that write the program in a form, or why it stays as it is. */
+  converted: { args: ProgramForm; answer: Converted };
   codes: { args: undefined; answer: Codes };
   /**
    * The form of a calculator: with the values of the block of the last question at the cursor (undefined if there is a
@@ -446,6 +452,7 @@ export const RUN_DEPENDENT = {
   rewritings: true,
   formatted: true,
   renumbered: true,
+  converted: true,
   section: true,
   'speed-chart': true,
   holes: true,

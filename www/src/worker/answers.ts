@@ -54,6 +54,7 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   rewritings: { needs: TEXT_PARTS, answer: (core, { from, to }) => core.rewritings(from, to) },
   formatted: { needs: TEXT_PARTS, answer: (core) => core.formatted() },
   renumbered: { needs: TEXT_PARTS, answer: (core, { from, step, blocks }) => core.renumbered(from, step, blocks) },
+  converted: { needs: TEXT_PARTS, answer: (core, form) => core.converted(form) },
   codes: { needs: TEXT_PARTS, answer: (core) => core.codes() },
   exercise: {
     needs: TEXT_PARTS,
