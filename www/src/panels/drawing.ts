@@ -346,6 +346,8 @@ export class Drawing {
     if (event.pointerType === 'touch') this.#canvas.focus({ preventScroll: true });
     if (this.#dragDistance >= this.#slop(event) || this.#pointers.size > 0) return;
     this.#pointer = this.#pointOf(event);
+    // A report that waits for a frame would be about the same point.
+    this.#hovering = undefined;
     this.#events.onPoint(this.#pointer.x, this.#pointer.y);
     this.#events.onClick(this.#pointer.x, this.#pointer.y, event.pointerType !== 'mouse');
   }
