@@ -91,7 +91,7 @@ fn may_search(asked: &Asked, context: &CodeActionContext) -> bool {
 /// The fixes of the messages at a span.
 fn fixes(asked: &Asked, span: Span) -> Vec<CodeAction> {
     let touches = |found: &&Diagnostic| found.span.start <= span.end && span.start <= found.span.end;
-    let found = asked.document.messages().iter().filter(touches);
+    let found = asked.document.fixable().iter().filter(touches);
     found.flat_map(|found| found.fixes.iter().map(|fix| quick_fix(asked, found, fix))).collect()
 }
 
@@ -108,7 +108,7 @@ fn quick_fix(asked: &Asked, found: &Diagnostic, fix: &Fix) -> CodeAction {
 
 /// The action that applies all safe fixes, if there is one.
 fn fix_all(asked: &Asked) -> Option<CodeAction> {
-    if safe(asked.document.messages()).is_empty() {
+    if safe(asked.document.fixable()).is_empty() {
         return None;
     }
     let edit = (!asked.client.resolves_edits).then(|| asked.edits(&all_fixes(asked)));

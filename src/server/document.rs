@@ -33,8 +33,10 @@ const REPLAYED_BLOCKS: usize = 10_000;
 pub enum Need {
     /// The text.
     Text,
-    /// The messages of the run.
+    /// The messages of the run and of the machine.
     Messages,
+    /// The messages that have fixes; those of the machine have none.
+    Fixes,
     /// The block at a position, as it is executed.
     Place(Position),
     /// The hints in a range.
@@ -60,6 +62,8 @@ pub struct Document {
     asked: Option<(RunId, u32)>,
     /// The messages, and their run.
     messages: Option<(RunId, Vec<Diagnostic>)>,
+    /// The messages that have fixes, and their run.
+    fixable: Option<(RunId, Vec<Diagnostic>)>,
     hinting: Option<Hinting>,
     /// The run whose messages were sent to the client.
     pub published: Option<RunId>,
@@ -86,6 +90,7 @@ impl Document {
             question: Question::default(),
             asked: None,
             messages: None,
+            fixable: None,
             hinting: None,
             published: None,
         }
@@ -148,7 +153,7 @@ impl Document {
 
     /// Changes how it is run and checked.
     pub fn set_settings(&mut self, settings: Settings) {
-        (self.is_joined, self.messages, self.published) = (false, None, None);
+        (self.is_joined, self.messages, self.fixable, self.published) = (false, None, None, None);
         self.current.set_setup(settings.setup.clone());
         self.settings = settings;
     }
@@ -177,6 +182,7 @@ impl Document {
         match need {
             Need::Text => true,
             Need::Messages => self.find_messages(),
+            Need::Fixes => self.find_fixable(),
             Need::Place(position) => self.find_block(self.positions(client.encoding).byte(position)),
             Need::Hints(range) => self.find_hints(self.positions(client.encoding).span(range), client.hints),
         }
@@ -222,9 +228,25 @@ impl Document {
         let run = self.current.run();
         let mut all = run.diagnostics().to_vec();
         all.extend(run.machine_messages());
+        self.own(all)
+    }
+
+    /// Collects the messages that have fixes.
+    fn find_fixable(&mut self) -> bool {
+        let id = self.current.run().id();
+        if self.fixable.as_ref().is_none_or(|(of, _)| *of != id) {
+            let all = self.current.run().diagnostics().iter();
+            let fixable = all.filter(|found| !found.fixes.is_empty()).cloned().collect();
+            self.fixable = Some((id, self.own(fixable)));
+        }
+        true
+    }
+
+    /// Messages of the run that are about the document and are not turned off, sorted by place.
+    fn own(&self, mut all: Vec<Diagnostic>) -> Vec<Diagnostic> {
         sort_by_place(&mut all);
         if let Some(apart) = &self.apart {
-            apart.joined.report_at_calls(&mut all, run.diagnostics());
+            apart.joined.report_at_calls(&mut all, self.current.run().diagnostics());
         }
         all.retain(|found| self.settings.takes(found));
         all
@@ -271,6 +293,11 @@ impl Document {
     /// The messages, once they are prepared.
     pub fn messages(&self) -> &[Diagnostic] {
         self.messages.as_ref().map_or(&[], |(_, messages)| messages)
+    }
+
+    /// The messages that have fixes, once they are prepared.
+    pub fn fixable(&self) -> &[Diagnostic] {
+        self.fixable.as_ref().map_or(&[], |(_, messages)| messages)
     }
 
     /// The byte of the prepared place, and the execution of the block there.

@@ -60,7 +60,7 @@ fn parse(method: LspRequestMethod, params: Value) -> Option<Parsed> {
             diagnostics::pulled,
         ),
         Method::TextDocumentCodeAction => {
-            about::<CodeActionRequest>(params, |p| (&p.text_document, Need::Messages), actions::actions)
+            about::<CodeActionRequest>(params, |p| (&p.text_document, Need::Fixes), actions::actions)
         }
         Method::CodeActionResolve => resolve(params),
         Method::TextDocumentCodeLens => {
