@@ -91,21 +91,32 @@ impl Figure {
 /// blocks. Empty if the block calls none.
 pub fn of_cycle(run: &mut Run, byte: u32) -> Figure {
     let lines = LineIndex::new(run.text());
-    // The second block makes the motions.
-    let byte = other_block(run, &lines, byte, CycleBlock::First).unwrap_or(byte);
-    let Some(found) = replay(run, &lines, byte) else { return Figure::default() };
+    let Some(mut found) = replay(run, &lines, byte) else { return Figure::default() };
+    let mut first = None;
+    match cycle_block_of(run, &found) {
+        // The second block makes the motions.
+        Some(CycleBlock::First) => {
+            let line = line_beside(run.text(), &lines, byte, CycleBlock::First);
+            let Some(second) = line.and_then(|start| replay(run, &lines, start)) else {
+                return Figure::default();
+            };
+            first = Some(std::mem::replace(&mut found, second));
+        }
+        Some(CycleBlock::Second) => {
+            let line = line_beside(run.text(), &lines, byte, CycleBlock::Second);
+            let before = line.and_then(|start| replay(run, &lines, start));
+            first = before.filter(|found| cycle_block_of(run, found) == Some(CycleBlock::First));
+        }
+        _ => {}
+    }
     let block = found.block(run);
     let asked = Query::new(run, &found, &block);
     let Some(call) = Call::of(&asked, run.motions()) else { return Figure::default() };
     let mut all = call.letters(block.span, run.landmarks());
     all.extend(cycle::dimensions(&asked, run.motions()));
-    let before = other_block(run, &lines, byte, CycleBlock::Second);
-    if let Some(found) = before.and_then(|before| replay(run, &lines, before)) {
+    if let Some(found) = first {
         let block = found.block(run);
-        let first = Query::new(run, &found, &block);
-        if cycle_block(&first) == Some(CycleBlock::First) {
-            all.extend(cycle::dimensions(&first, run.motions()));
-        }
+        all.extend(cycle::dimensions(&Query::new(run, &found, &block), run.motions()));
     }
     call.finish_diameter(&mut all);
     all.extend(call.distances(&all));
@@ -145,8 +156,10 @@ fn bar_of(run: &Run) -> Option<Stock> {
     blank.outline().is_none().then(|| blank.extents())
 }
 
-/// Which block of a multiple cycle a block is.
-fn cycle_block(asked: &Query) -> Option<CycleBlock> {
+/// Which block of a multiple cycle an executed block is.
+fn cycle_block_of(run: &Run, found: &Found) -> Option<CycleBlock> {
+    let block = found.block(run);
+    let asked = Query::new(run, found, &block);
     match Form::of(asked.block, &asked.visit?.before.state, asked.codes) {
         Form::Multiple(_, block) => Some(block),
         _ => None,
@@ -196,25 +209,19 @@ pub fn first_cycle(run: &Run) -> Option<u32> {
     (0..motions.len()).find(|&index| motions.glance(index).is_of_cycle).map(|index| motions.span(index).start)
 }
 
-/// The first byte of the block before the second block of a cycle, or after its first one; `None` if the block at `byte`
-/// is not `this` one. Lines without words may be between them.
-fn other_block(run: &mut Run, lines: &LineIndex, byte: u32, this: CycleBlock) -> Option<u32> {
-    let found = replay(run, lines, byte)?;
-    let block = found.block(run);
-    if cycle_block(&Query::new(run, &found, &block)) != Some(this) {
-        return None;
-    }
+/// The first byte of the nearest line with words before the second block of a cycle, or after its first one. `byte`: a
+/// byte of `this` block.
+fn line_beside(text: &[u8], lines: &LineIndex, byte: u32, this: CycleBlock) -> Option<u32> {
     let line = lines.line_of(byte);
     let has_words = |line: u32| {
         let mut block = Block::default();
-        Parser::new(lines.line(run.text(), line).of(run.text())).next_block(&mut block)
-            && !block.words.is_empty()
+        Parser::new(lines.line(text, line).of(text)).next_block(&mut block) && !block.words.is_empty()
     };
     let beside = match this {
         CycleBlock::First => (line + 1..lines.len()).take(MAX_BETWEEN).find(|&line| has_words(line)),
         _ => (0..line).rev().take(MAX_BETWEEN).find(|&line| has_words(line)),
     };
-    beside.map(|line| lines.line(run.text(), line).start)
+    beside.map(|line| lines.line(text, line).start)
 }
 
 /// The execution of the block at a byte; `None` if it comes after too many blocks. `lines`: those of the text.

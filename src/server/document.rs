@@ -35,7 +35,7 @@ pub enum Need {
     Text,
     /// The messages of the run and of the machine.
     Messages,
-    /// The messages that have fixes; those of the machine have none.
+    /// The messages that have fixes. Messages of the machine have no fixes.
     Fixes,
     /// The block at a position, as it is executed.
     Place(Position),

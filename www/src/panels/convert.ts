@@ -14,7 +14,7 @@ import { applyEdits } from './apply-edits';
 import type { Panel, PanelKind, Shell } from './panel';
 import convertStyles from './convert.css?inline';
 
-/** The forms by subject; those of a subject exclude each other. */
+/** The forms by subject. */
 const FORMS = {
   coordinates: ['absolute', 'incremental'],
   arcs: ['radius', 'center'],
@@ -90,7 +90,7 @@ class Convert implements Panel {
     } else this.#status.textContent = text;
   }
 
-  /** What has changed, and what stays. */
+  /** The text about an answer. */
   #outcome(answer: Converted): string {
     const texts = WORDS[this.#shell.language];
     if (answer.kind === 'refused') return texts.refused(answer.reason);
