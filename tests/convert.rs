@@ -210,6 +210,12 @@ fn pecking_and_threading_in_one_block() {
         &program("G74 X30 Z-10 I3 K2.5 F.1"),
         &[],
     );
+    // Without I or K, the block would not have the one-block form.
+    for (call, form) in [("G75 X30 R.1", ProgramForm::OneBlock), ("G74 Z-10 R.1 F.1", ProgramForm::OneBlock)]
+    {
+        let text = program(call);
+        assert_eq!(written(&text, form).0, text, "{call}");
+    }
     // One finishing pass, no pull-out, 60 degrees, no least depth, no allowance.
     let thread = "G00 X42 Z10 M03 S300\n";
     let one = format!("{thread}G76 X35.1 Z-30 K2.45 D700 F4 A60\nM30\n");

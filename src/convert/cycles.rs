@@ -14,7 +14,7 @@ use crate::control::codes::cycles::CycleBlock;
 use crate::control::codes::role::Role;
 use crate::control::codes::words::CodeWord;
 use crate::control::codes::{G, Multiple};
-use crate::control::words::{after_letter, plain};
+use crate::control::words::{after_letter, letters, plain};
 use crate::message::Edit;
 use crate::rewrite::g;
 use crate::run::Run;
@@ -190,19 +190,25 @@ impl Writer {
         if has_more_codes || sequence.is_some_and(|own| labels.contains(&own)) {
             return None;
         }
+        let of_first = || first.into_iter().flat_map(|first| &first.words);
+        let letter = |value| self.letter(CycleBlock::Whole, value);
+        let kept = second.words.iter().map(|value| letter(value).unwrap_or(value.word.address));
+        if !self.is_block(CycleBlock::Whole, kept.chain(of_first().filter_map(letter))) {
+            return None;
+        }
         let mut edits: Vec<Edit> = first.map(|first| without_block(text, &first.block)).into_iter().collect();
         let mut added = Vec::new();
-        for value in first.map_or(&[][..], |first| &first.words) {
+        for value in of_first() {
             if value.role == Role::ThreadPacked {
                 let angle = plain(&value.word)? % 100.0;
                 added.extend((angle > 0.0).then(|| format!("A{}", number(angle))));
-            } else if let Some(letter) = self.letter(CycleBlock::Whole, value) {
+            } else if let Some(letter) = letter(value) {
                 added.push(self.written(value, CycleBlock::First, letter, CycleBlock::Whole)?);
             }
         }
         let mut changed = Vec::new();
         for value in &second.words {
-            if let Some(letter) = self.letter(CycleBlock::Whole, value) {
+            if let Some(letter) = letter(value) {
                 let written = self.written(value, CycleBlock::Second, letter, CycleBlock::Whole)?;
                 changed
                     .extend((written != value.text).then_some(Edit { span: value.word.span, text: written }));
@@ -235,6 +241,15 @@ impl Writer {
         let code = self.code.quote(text);
         let mut first = vec![code.clone()];
         let mut edits = Vec::new();
+        let is_moved = |value: &Value| {
+            self.letter(CycleBlock::Second, value).is_none()
+                && self.letter(CycleBlock::First, value).is_some()
+        };
+        let kept = own.words.iter().filter(|value| !is_moved(value) && !is_of_first(value));
+        let letter = |value| self.letter(CycleBlock::Second, value).unwrap_or(value.word.address);
+        if !self.is_block(CycleBlock::Second, kept.map(letter)) {
+            return None;
+        }
         if self.cycle == Multiple::Threading {
             let angle = own.words.iter().find(|value| value.role == Role::ThreadAngle);
             let angle = angle.map_or(Some(0.0), |value| plain(&value.word))?;
@@ -254,9 +269,7 @@ impl Writer {
             let in_second = self.letter(CycleBlock::Second, value);
             let edit = match (in_second, self.letter(CycleBlock::First, value)) {
                 // In the first block, or as in force.
-                _ if matches!(value.role, Role::ThreadAngle | Role::InfeedMethod) => {
-                    Edit { span, text: String::new() }
-                }
+                _ if is_of_first(value) => Edit { span, text: String::new() },
                 (Some(letter), _) => {
                     let text = self.written(value, CycleBlock::Whole, letter, CycleBlock::Second)?;
                     Edit { span: value.word.span, text }
@@ -278,6 +291,11 @@ impl Writer {
         edits.push(Edit { span: self.code, text: codes });
         edits.sort_by_key(|edit| (edit.span.start, edit.span.end));
         Some(edits)
+    }
+
+    /// Whether words with these letters are this block of the cycle.
+    fn is_block(&self, block: CycleBlock, own: impl Iterator<Item = u8>) -> bool {
+        self.cycle.spec().block(own.fold(0, |bits, letter| bits | letters(&[letter]))) == block
     }
 
     /// The letter of a role in a block: the usual one, or the letter that the word has.
@@ -318,6 +336,11 @@ impl Writer {
             _ => false,
         }
     }
+}
+
+/// Whether the two-block form of G76 has the value in P of the first block, or as it is in force.
+fn is_of_first(value: &Value) -> bool {
+    matches!(value.role, Role::ThreadAngle | Role::InfeedMethod)
 }
 
 /// Removes the words of a block; its line, if the block has no comment.
