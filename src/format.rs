@@ -15,14 +15,41 @@ use crate::text::parser::Parser;
 
 /// The edits that format a text, sorted by position, not overlapping.
 pub fn edits(text: &[u8]) -> Vec<Edit> {
+    let mut edits: Vec<Edit> = Vec::new();
+    rewrite(text, |span, new| match edits.last_mut().filter(|last| last.span.end == span.start) {
+        Some(last) => {
+            last.span.end = span.end;
+            last.text.push_str(new);
+        }
+        None => edits.push(Edit { span, text: new.to_owned() }),
+    });
+    edits
+}
+
+/// The formatted text.
+pub fn formatted(text: &[u8]) -> Vec<u8> {
+    let (mut written, mut from) = (Vec::with_capacity(text.len() + text.len() / 8), 0);
+    rewrite(text, |span, new| {
+        written.extend_from_slice(&text[from..span.start as usize]);
+        written.extend_from_slice(new.as_bytes());
+        from = span.end as usize;
+    });
+    written.extend_from_slice(&text[from..]);
+    written
+}
+
+/// Formats a text; passes each replaced span and its new text to `replace`, in text order.
+fn rewrite(text: &[u8], replace: impl FnMut(Span, &str)) {
     let (mut parser, mut block) = (Parser::new(text), Block::default());
-    let mut writer = Writer { text, edits: Vec::new() };
+    let mut writer = Writer { text, replace };
+    let mut elements = Vec::new();
     loop {
         let begins_line = parser.position().begins_line();
         if !parser.next_block(&mut block) {
-            return writer.edits;
+            return;
         }
-        if let Some(elements) = elements(text, &block) {
+        elements.clear();
+        if find_elements(text, &block, &mut elements).is_some() {
             writer.block(&block, &elements, begins_line);
         }
     }
@@ -30,18 +57,18 @@ pub fn edits(text: &[u8]) -> Vec<Edit> {
 
 /// A part of a block, with gaps before and after it.
 #[derive(Clone, Copy)]
-enum Element<'a> {
+enum Element {
     /// A comment, a `%`: stays as it is.
     Kept(Span),
     /// A program or sequence number.
     Head(Span),
     /// The name after a program number: `O1234<NAME>`.
     Name(Span),
-    Word(&'a Word),
+    Word(Word),
     Statement(Span),
 }
 
-impl Element<'_> {
+impl Element {
     fn span(self) -> Span {
         match self {
             Self::Kept(span) | Self::Head(span) | Self::Name(span) | Self::Statement(span) => span,
@@ -50,20 +77,20 @@ impl Element<'_> {
     }
 }
 
-/// The elements of a block in text order; `None` if the block is not well formed.
-fn elements<'a>(text: &[u8], block: &'a Block) -> Option<Vec<Element<'a>>> {
+/// Finds the elements of a block, in text order; `None` if the block is not well formed.
+fn find_elements(text: &[u8], block: &Block, found: &mut Vec<Element>) -> Option<()> {
     let is_comment = |span: &Span| span.of(text).first() == Some(&b'(');
     // `G00 X1 GOTO 5`: words before a macro statement.
     let is_mixed = block.kind == BlockKind::Macro && !block.words.is_empty();
     if !block.faults.is_empty() || block.is_unread || is_mixed || !block.comments.iter().all(is_comment) {
         return None;
     }
-    let mut found: Vec<Element> = block.program.iter().map(|(_, span)| Element::Head(*span)).collect();
+    found.extend(block.program.iter().map(|(_, span)| Element::Head(*span)));
     found.extend(block.second_name.iter().map(|(_, span)| Element::Name(*span)));
     if block.sequence.is_some() {
         found.push(Element::Head(sequence_span(text, block)?));
     }
-    found.extend(block.words.iter().map(Element::Word));
+    found.extend(block.words.iter().copied().map(Element::Word));
     let statement = Span { start: block.statement, end: block.statement_end };
     let is_inside = |comment: &Span| block.kind == BlockKind::Macro && statement.contains(*comment);
     match block.kind {
@@ -77,8 +104,8 @@ fn elements<'a>(text: &[u8], block: &'a Block) -> Option<Vec<Element<'a>>> {
         }
     }
     found.extend(block.comments.iter().filter(|comment| !is_inside(comment)).copied().map(Element::Kept));
-    order::by_key(&mut found, |element| element.span().start);
-    Some(found)
+    order::by_key(found, |element| element.span().start);
+    Some(())
 }
 
 /// Whether a macro statement prints: its text and its blanks are part of the output.
@@ -92,12 +119,13 @@ fn is_gap(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t')
 }
 
-struct Writer<'a> {
+struct Writer<'a, R> {
     text: &'a [u8],
-    edits: Vec<Edit>,
+    /// Takes each span and its new text.
+    replace: R,
 }
 
-impl Writer<'_> {
+impl<R: FnMut(Span, &str)> Writer<'_, R> {
     fn block(&mut self, block: &Block, elements: &[Element], begins_line: bool) {
         let mut from = block.span.start;
         for (index, element) in elements.iter().enumerate() {
@@ -118,7 +146,7 @@ impl Writer<'_> {
         match element {
             Element::Kept(_) | Element::Name(_) => {}
             Element::Head(span) => self.head(span),
-            Element::Word(word) => self.word(word),
+            Element::Word(word) => self.word(&word),
             Element::Statement(span) => self.statement(span),
         }
     }
@@ -185,10 +213,17 @@ impl Writer<'_> {
     /// Writes the number of a G or M code with at least two digits.
     fn code(&mut self, address: Span, number: Span) {
         let has_sign = address.of(self.text).iter().any(|byte| matches!(byte, b'+' | b'-'));
-        let digits = number.quote(self.text);
-        if !has_sign && digits.bytes().all(|byte| byte.is_ascii_digit()) {
-            self.replace(number, &format!("{:0>2}", digits.trim_start_matches('0')));
+        let digits = number.of(self.text);
+        if digits.len() == 2 || has_sign || !digits.iter().all(u8::is_ascii_digit) {
+            return;
         }
+        let zeros = digits.iter().take_while(|digit| **digit == b'0').count();
+        let short = match digits[zeros..] {
+            [] => [b'0', b'0'],
+            [digit] => [b'0', digit],
+            _ => return self.replace(Span { end: number.start + zeros as u32, ..number }, ""),
+        };
+        self.replace(number, std::str::from_utf8(&short).unwrap_or_default());
     }
 
     /// Writes letters and signs in capitals and without blanks.
@@ -229,15 +264,8 @@ impl Writer<'_> {
 
     /// Replaces a span, unless it has this text.
     fn replace(&mut self, span: Span, text: &str) {
-        if span.of(self.text) == text.as_bytes() {
-            return;
-        }
-        match self.edits.last_mut().filter(|last| last.span.end == span.start) {
-            Some(last) => {
-                last.span.end = span.end;
-                last.text.push_str(text);
-            }
-            None => self.edits.push(Edit { span, text: text.to_owned() }),
+        if span.of(self.text) != text.as_bytes() {
+            (self.replace)(span, text);
         }
     }
 }

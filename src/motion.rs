@@ -906,6 +906,20 @@ impl Chunk {
         })
     }
 
+    /// Whether two chunks have the same motions and stops, at any places in the text.
+    fn has_same_motions(&self, other: &Self) -> bool {
+        let kinds = |stops: &[(u32, (StopKind, BlockPlace))]| -> Vec<_> {
+            stops.iter().map(|(index, (kind, _))| (*index, *kind)).collect()
+        };
+        let Self { kind, x, z, rows, processes, centers, numbers, .. } = self;
+        let Self { start, starts, programmed, rotary, lead_changes, start_angles, stops, .. } = self;
+        (start, starts, programmed, rotary) == (&other.start, &other.starts, &other.programmed, &other.rotary)
+            && (lead_changes, start_angles) == (&other.lead_changes, &other.start_angles)
+            && kinds(stops) == kinds(&other.stops)
+            && (kind, x, z, rows) == (&other.kind, &other.x, &other.z, &other.rows)
+            && (processes, centers, numbers) == (&other.processes, &other.centers, &other.numbers)
+    }
+
     /// The motion at `index`.
     pub fn get(&self, index: usize) -> Motion {
         let kind = MotionKind::ALL[self.kind[index] as usize];
@@ -1053,6 +1067,13 @@ impl Motions {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.len == 0
+    }
+
+    /// Whether the chunks of both have the same motions and stops. Then these are all the same; otherwise they can be,
+    /// in other chunks.
+    pub fn has_same_chunks(&self, other: &Self) -> bool {
+        self.before == other.before
+            && self.chunks.iter().zip(&other.chunks).all(|(own, other)| own.has_same_motions(other))
     }
 
     /// The chunks, in order.

@@ -1,22 +1,24 @@
 //! Whether a changed text is still the same program.
 //!
-//! In: a text, the changed text and the setup. Out: the first [`Difference`]. Compared are: each block as read,
-//! apart from its sequence number and the numbers that refer to blocks; the block that each reference leads to,
-//! also where it is never executed; the motions and the codes of the messages, with block skip off and on. Must
-//! not know what was changed, or why.
+//! In: the run of a text, and the changed text. Out: the first [`Difference`]. Compared are: the motions and the codes
+//! of the messages, with block skip off and on; each block as read, apart from its sequence number and the numbers
+//! that refer to blocks; the block that each reference leads to, also where it is never executed. Must not know
+//! the reason for the change.
+
+use std::task::Poll;
 
 use crate::assist::names::{Name, Named, names};
 use crate::control::words::plain;
 use crate::message::{Diagnostic, Edit, applied, said};
 use crate::references::{References, Target};
-use crate::run::{Analysis, analyze};
+use crate::run::Run;
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
 use crate::source::Span;
-use crate::text::block::{Block, BlockKind, Value};
+use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::lexer::is_blank;
-use crate::text::parser::Parser;
+use crate::text::parser::{Parser, Resume};
 
 /// All levels of block skip.
 const LEVELS: std::ops::RangeInclusive<u8> = 1..=9;
@@ -71,28 +73,142 @@ impl Difference {
     }
 }
 
-/// The first difference that edits make; `None` if the program stays the same.
-pub fn difference_by(edits: &[Edit], text: &[u8], setup: &Setup) -> Option<Difference> {
-    if edits.is_empty() { None } else { difference(text, &applied(text, edits), setup) }
+/// The first difference that edits make to the program of a run; `None` if the program stays the same.
+pub fn difference_by(edits: &[Edit], run: &Run) -> Option<Difference> {
+    if edits.is_empty() { None } else { difference(run, applied(run.text(), edits)) }
 }
 
-/// The first difference; `None` if both texts are the same program.
-pub fn difference(before: &[u8], after: &[u8], setup: &Setup) -> Option<Difference> {
-    let mut codes = None;
-    for block_skip in switches(before, setup) {
-        let setup = Setup { block_skip, ..setup.clone() };
-        let runs = [before, after].map(|text| analyze(text, &setup));
-        if runs[0].diagnostics.iter().any(is_for_other_control) {
-            return Some(Difference::OtherControl);
+/// The first difference between the program of a run and a changed text; `None` if both are the same program.
+pub fn difference(run: &Run, after: Vec<u8>) -> Option<Difference> {
+    let mut comparison = Comparison::new(run, after);
+    loop {
+        if let Poll::Ready(found) = comparison.advance(run, usize::MAX) {
+            return found;
         }
-        if let Some(found) = difference_of_runs(&runs) {
-            return Some(found);
-        }
-        codes = Some(runs[0].codes);
     }
-    let codes = codes.unwrap_or_default();
-    difference_of_blocks(before, after, codes)
-        .or_else(|| difference_of_references(before, after, codes, setup))
+}
+
+/// The comparison of a program with a changed text, in slices.
+pub struct Comparison {
+    /// The settings of block skip that are compared after the current one, the next one last.
+    switches: Vec<Vec<u8>>,
+    /// The run of the original text with the current setting; `None`: the run of the caller.
+    before: Option<Run>,
+    /// The run of the changed text with the same setting.
+    after: Run,
+    stage: Stage,
+}
+
+/// What is compared.
+enum Stage {
+    Runs,
+    /// The blocks from these places on.
+    Blocks {
+        at: [Resume; 2],
+        /// Whether a sequence number or a reference may have been changed.
+        is_renumbered: bool,
+    },
+    References,
+}
+
+impl Comparison {
+    /// Begins to compare the text of a run with a changed text.
+    pub fn new(run: &Run, after: Vec<u8>) -> Self {
+        let mut switches = switches(run.text(), &run.setup_to_repeat());
+        let own = switches.remove(0);
+        switches.reverse();
+        // The motions of a run that was stopped are incomplete.
+        let before = (!run.is_complete()).then(|| run.repeated(run.text().to_vec(), own.clone()));
+        Self { switches, before, after: run.repeated(after, own), stage: Stage::Runs }
+    }
+
+    /// The changed text.
+    pub fn changed(&self) -> &[u8] {
+        self.after.text()
+    }
+
+    /// Compares in one slice of at most `blocks` blocks. `run`: the run that the comparison began with. Ready with
+    /// the first difference; with `None` if both texts are the same program.
+    pub fn advance(&mut self, run: &Run, blocks: usize) -> Poll<Option<Difference>> {
+        match self.stage {
+            Stage::Runs => self.advance_runs(run, blocks),
+            Stage::Blocks { at, is_renumbered } => self.advance_blocks(run, blocks, at, is_renumbered),
+            Stage::References => Poll::Ready(self.difference_of_references(run)),
+        }
+    }
+
+    fn advance_runs(&mut self, run: &Run, blocks: usize) -> Poll<Option<Difference>> {
+        let is_before_ready = self.before.as_mut().is_none_or(|before| before.advance(blocks));
+        if !is_before_ready || !self.after.advance(blocks) {
+            return Poll::Pending;
+        }
+        let before = self.before.as_ref().unwrap_or(run);
+        if before.diagnostics().iter().any(is_for_other_control) {
+            return Poll::Ready(Some(Difference::OtherControl));
+        }
+        let found = difference_of_runs(before, &self.after);
+        if found.is_some() {
+            return Poll::Ready(found);
+        }
+        match self.switches.pop() {
+            Some(block_skip) => {
+                self.before = Some(run.repeated(run.text().to_vec(), block_skip.clone()));
+                self.after = run.repeated(self.after.take_text(), block_skip);
+            }
+            None => self.stage = Stage::Blocks { at: Default::default(), is_renumbered: false },
+        }
+        Poll::Pending
+    }
+
+    fn advance_blocks(
+        &mut self,
+        run: &Run,
+        count: usize,
+        at: [Resume; 2],
+        mut is_renumbered: bool,
+    ) -> Poll<Option<Difference>> {
+        let (texts, codes) = ([run.text(), self.after.text()], self.codes(run));
+        let mut parsers = [Parser::resume(texts[0], at[0]), Parser::resume(texts[1], at[1])];
+        let mut blocks = [Block::default(), Block::default()];
+        for _ in 0..count {
+            let [first, second] = &mut parsers;
+            let left = [first.next_block(&mut blocks[0]), second.next_block(&mut blocks[1])];
+            if left == [false, false] {
+                self.stage = Stage::References;
+                return if is_renumbered { Poll::Pending } else { Poll::Ready(None) };
+            }
+            // After its last block, a text reads as empty blocks: an empty last line makes no difference.
+            let reads = [Read::of(texts[0], &blocks[0]), Read::of(texts[1], &blocks[1])];
+            if reads[0].has_same_numbers(&reads[1]) {
+                continue;
+            }
+            is_renumbered = true;
+            let [first, second] = reads.map(|read| read.without_references(codes));
+            if !first.is_same(&second) {
+                return Poll::Ready(Some(Difference::Block(blocks[0].span)));
+            }
+        }
+        self.stage = Stage::Blocks { at: parsers.map(|parser| parser.position()), is_renumbered };
+        Poll::Pending
+    }
+
+    fn difference_of_references(&self, run: &Run) -> Option<Difference> {
+        let (codes, control) = (self.codes(run), run.setup_to_repeat().dialect.control.unwrap_or_default());
+        let texts = [run.text(), self.after.text()];
+        let [first, second] = texts.map(|text| References::of(text, codes, control).references);
+        let is_same = |index: usize| {
+            let (first, second) = (first.get(index), second.get(index));
+            first.zip(second).is_some_and(|(first, second)| {
+                first.block == second.block && leads_to_same(&first.target, &second.target)
+            })
+        };
+        let at = (0..first.len().max(second.len())).find(|index| !is_same(*index))?;
+        Some(Difference::Reference(first.get(at).map_or(Span::default(), |reference| reference.span)))
+    }
+
+    fn codes(&self, run: &Run) -> CodeList {
+        self.before.as_ref().unwrap_or(run).code_list()
+    }
 }
 
 /// Whether a message says that the program is for another control, and is not run.
@@ -113,108 +229,124 @@ pub fn switches(text: &[u8], setup: &Setup) -> Vec<Vec<u8>> {
     found
 }
 
-fn difference_of_runs([before, after]: &[Analysis; 2]) -> Option<Difference> {
-    let stops = |run: &Analysis| -> Vec<_> {
-        run.motions.stops(0..run.motions.len() + 1).map(|(index, stop)| (index, stop.kind)).collect()
+fn difference_of_runs(before: &Run, after: &Run) -> Option<Difference> {
+    let stops = |run: &Run| -> Vec<_> {
+        run.motions().stops(0..run.motions().len() + 1).map(|(index, stop)| (index, stop.kind)).collect()
     };
-    let other = before.motions.iter().zip(after.motions.iter()).position(|(one, other)| one != other);
-    let is_same = before.codes == after.codes
-        && before.unit == after.unit
-        && before.motions.len() == after.motions.len()
+    let is_same = before.code_list() == after.code_list()
+        && before.state().unit == after.state().unit
+        && before.motions().len() == after.motions().len()
         && stops(before) == stops(after);
-    let messages =
-        |run: &Analysis| -> Vec<String> { run.diagnostics.iter().map(|told| told.code()).collect() };
-    match other {
-        Some(index) => Some(Difference::Motions(before.motions.span(index))),
+    let messages = |run: &Run| -> Vec<String> { run.diagnostics().iter().map(|told| told.code()).collect() };
+    let mut motions = before.motions().iter().zip(after.motions().iter());
+    let has_same_chunks = before.motions().has_same_chunks(after.motions());
+    match if has_same_chunks { None } else { motions.position(|(one, other)| one != other) } {
+        Some(index) => Some(Difference::Motions(before.motions().span(index))),
         None if !is_same => Some(Difference::Motions(Span::default())),
         None if messages(before) != messages(after) => Some(Difference::Messages),
         None => None,
     }
 }
 
-fn difference_of_blocks(before: &[u8], after: &[u8], codes: CodeList) -> Option<Difference> {
-    let mut parsers = [Parser::new(before), Parser::new(after)];
-    let mut blocks = [Block::default(), Block::default()];
-    loop {
-        let [first, second] = &mut parsers;
-        let left = [first.next_block(&mut blocks[0]), second.next_block(&mut blocks[1])];
-        if left == [false, false] {
+/// A block as a control reads it.
+struct Read<'a> {
+    text: &'a [u8],
+    block: &'a Block,
+    /// The numbers of blocks in it that are not compared, in text order.
+    left_out: Vec<Span>,
+}
+
+/// The value of a word.
+#[derive(PartialEq)]
+enum Content {
+    LeftOut,
+    Number { value: Option<f64>, decimals: u32, points: u32 },
+    Expression(Vec<u8>),
+}
+
+impl<'a> Read<'a> {
+    fn of(text: &'a [u8], block: &'a Block) -> Self {
+        Self { text, block, left_out: Vec::new() }
+    }
+
+    /// The block without the words that refer to other blocks.
+    fn without_references(self, codes: CodeList) -> Self {
+        let names = names(self.text, self.block, codes);
+        let is_reference = |named: &&Named| !named.defines && matches!(named.name, Name::Sequence(_));
+        Self { left_out: names.iter().filter(is_reference).map(|named| named.span).collect(), ..self }
+    }
+
+    /// Whether two blocks are the same, with their sequence numbers and references. Of a macro statement this is known
+    /// only if it is written in the same way.
+    fn has_same_numbers(&self, other: &Self) -> bool {
+        let as_written = |read: &Self| read.block.span.of(read.text);
+        self.block.sequence == other.block.sequence
+            && self.is_same(other)
+            && (self.block.kind != BlockKind::Macro || as_written(self) == as_written(other))
+    }
+
+    /// Whether two blocks are the same, apart from their sequence numbers.
+    fn is_same(&self, other: &Self) -> bool {
+        self.kind() == other.kind()
+            && self.faults().eq(other.faults())
+            && self.block.words.len() == other.block.words.len()
+            && self.block.words.iter().zip(&other.block.words).all(|words| self.is_same_word(other, words))
+            && self.comments().eq(other.comments())
+            && self.statement() == other.statement()
+    }
+
+    fn kind(&self) -> impl PartialEq {
+        let block = self.block;
+        let number = |head: Option<(u32, Span)>| head.map(|(number, _)| number);
+        let heads = (number(block.program), number(block.second_name));
+        (block.kind, block.delete, block.optional, block.is_overlong(), heads)
+    }
+
+    fn faults(&self) -> impl Iterator<Item = &str> {
+        self.block.faults.iter().map(|fault| fault.message.slug())
+    }
+
+    fn comments(&self) -> impl Iterator<Item = &[u8]> {
+        self.block.comments.iter().map(|comment| comment.of(self.text))
+    }
+
+    fn is_same_word(&self, other: &Self, (own, others): (&Word, &Word)) -> bool {
+        let is_same_number = matches!(own.value, Value::Number { .. }) && own.value == others.value;
+        let is_same_value = || self.content(own) == other.content(others);
+        own.address == others.address && own.comma == others.comma && (is_same_number || is_same_value())
+    }
+
+    fn content(&self, word: &Word) -> Content {
+        match word.value {
+            _ if self.left_out.contains(&word.span) => Content::LeftOut,
+            Value::Number { number, .. } => {
+                let (decimals, points) = (number.decimals.into(), number.points.into());
+                Content::Number { value: plain(word), decimals, points }
+            }
+            Value::Expression => Content::Expression(as_written(word.span.of(self.text))),
+        }
+    }
+
+    /// The macro statement, if the block is one.
+    fn statement(&self) -> Option<Vec<u8>> {
+        let block = self.block;
+        if block.kind != BlockKind::Macro {
             return None;
         }
-        let as_read = [as_read(before, &blocks[0], codes), as_read(after, &blocks[1], codes)];
-        // After its last block, a text reads as empty blocks: an empty last line makes no difference.
-        if as_read[0] != as_read[1] {
-            return Some(Difference::Block(blocks[0].span));
+        let whole = Span { start: block.statement, end: block.statement_end };
+        let (mut read, mut from) = (Vec::new(), whole.start);
+        for span in self.left_out.iter().filter(|span| whole.contains(**span)) {
+            read.extend(as_written(Span { start: from, end: span.start }.of(self.text)));
+            from = span.end;
         }
+        read.extend(as_written(Span { start: from, end: whole.end }.of(self.text)));
+        Some(read)
     }
-}
-
-/// A block as a control reads it, without the numbers of blocks.
-fn as_read(text: &[u8], block: &Block, codes: CodeList) -> Vec<u8> {
-    let named = names(text, block, codes);
-    let is_reference = |named: &&Named| !named.defines && matches!(named.name, Name::Sequence(_));
-    let references = || named.iter().filter(is_reference).map(|named| named.span);
-    let mut read =
-        format!("{:?} {:?} {:?} {:?}", block.kind, block.delete, block.optional, block.is_overlong());
-    let heads = block.program.iter().chain(&block.second_name);
-    read.extend(heads.map(|(number, _)| format!(" O{number}")));
-    read.extend(block.faults.iter().map(|fault| format!(" !{}", fault.message.slug())));
-    let mut read = read.into_bytes();
-    for word in &block.words {
-        read.extend([b' ', if word.comma { b',' } else { b' ' }, word.address]);
-        match word.value {
-            _ if references().any(|span| span == word.span) => {}
-            Value::Number { number, .. } => {
-                let value = plain(word).unwrap_or_default();
-                read.extend(format!("{value} {} {}", number.decimals, number.points).into_bytes());
-            }
-            Value::Expression => read.extend(as_written(word.span.of(text))),
-        }
-    }
-    for comment in &block.comments {
-        read.push(b' ');
-        read.extend(comment.of(text));
-    }
-    if block.kind == BlockKind::Macro {
-        read.push(b' ');
-        read.extend(statement(text, block, references()));
-    }
-    read
-}
-
-/// A macro statement without its references to blocks, which are in text order.
-fn statement(text: &[u8], block: &Block, references: impl Iterator<Item = Span>) -> Vec<u8> {
-    let whole = Span { start: block.statement, end: block.statement_end };
-    let (mut read, mut from) = (Vec::new(), whole.start);
-    for reference in references.filter(|reference| whole.contains(*reference)) {
-        read.extend(as_written(Span { start: from, end: reference.start }.of(text)));
-        from = reference.end;
-    }
-    read.extend(as_written(Span { start: from, end: whole.end }.of(text)));
-    read
 }
 
 /// A text in capitals and without blanks.
 fn as_written(bytes: &[u8]) -> Vec<u8> {
     bytes.iter().filter(|byte| !is_blank(**byte)).map(u8::to_ascii_uppercase).collect()
-}
-
-fn difference_of_references(
-    before: &[u8],
-    after: &[u8],
-    codes: CodeList,
-    setup: &Setup,
-) -> Option<Difference> {
-    let control = setup.dialect.control.unwrap_or_default();
-    let [first, second] = [before, after].map(|text| References::of(text, codes, control).references);
-    let is_same = |index: usize| {
-        let (first, second) = (first.get(index), second.get(index));
-        first.zip(second).is_some_and(|(first, second)| {
-            first.block == second.block && leads_to_same(&first.target, &second.target)
-        })
-    };
-    let at = (0..first.len().max(second.len())).find(|index| !is_same(*index))?;
-    Some(Difference::Reference(first.get(at).map_or(Span::default(), |reference| reference.span)))
 }
 
 fn leads_to_same(first: &Target, second: &Target) -> bool {

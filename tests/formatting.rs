@@ -8,15 +8,18 @@ use crate::random_programs;
 
 use gcode_playground::analyze;
 use gcode_playground::api;
-use gcode_playground::format::edits;
+use gcode_playground::format::{self, edits};
 use gcode_playground::message::applied;
 use gcode_playground::proof::{Difference, difference};
+use gcode_playground::run::Run;
 use gcode_playground::setup::Setup;
 use proptest::prelude::*;
 use random_programs::{any_setup, piece, program, small};
 
 fn formatted(text: &[u8]) -> Vec<u8> {
-    applied(text, &edits(text))
+    let after = applied(text, &edits(text));
+    assert_eq!(format::formatted(text), after);
+    after
 }
 
 #[track_caller]
@@ -57,7 +60,7 @@ fn check_runs_the_same(text: &[u8], setup: &Setup) -> Result<(), String> {
             return shown("other motions");
         }
     }
-    match difference(text, &after, setup) {
+    match difference(&Run::finished(text.to_vec(), setup.clone()), after.clone()) {
         None | Some(Difference::OtherControl) => Ok(()),
         // Advice about a word depends on the length of a message about its block (`Diagnostic::is_about`). Such a
         // program stays as it is.
@@ -198,7 +201,8 @@ fn the_programs_of_the_gallery_run_the_same() {
         let setup = Setup::from_json(&program.setup).expect("a setup");
         let text = program.text.as_bytes();
         check_runs_the_same(text, &setup).unwrap_or_else(|why| panic!("{}: {why}", program.id));
-        assert_eq!(difference(text, &formatted(text), &setup), None, "{}", program.id);
+        let run = Run::finished(text.to_vec(), setup.clone());
+        assert_eq!(difference(&run, formatted(text)), None, "{}", program.id);
     }
 }
 

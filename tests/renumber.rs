@@ -8,6 +8,7 @@ use crate::random_programs;
 use gcode_playground::message::applied;
 use gcode_playground::proof::{Difference, difference};
 use gcode_playground::renumber::{Blocks, Numbering, Reason, Refused, Source, edits};
+use gcode_playground::run::Run;
 use gcode_playground::setup::Setup;
 use gcode_playground::setup::dialect::{CodeList, Control};
 use gcode_playground::{analyze, api};
@@ -31,7 +32,7 @@ fn check_with(numbering: Numbering, before: &str, after: &str) {
     assert_eq!(renumbered(before, numbering).as_deref(), Ok(after), "from:\n{before}");
     assert_eq!(renumbered(after, numbering).as_deref(), Ok(after), "the second time");
     assert_eq!(
-        difference(before.as_bytes(), after.as_bytes(), &Setup::default()),
+        difference(&Run::finished(before.into(), Setup::default()), after.into()),
         None,
         "\n{before}\n{after}"
     );
@@ -267,7 +268,7 @@ fn check_runs_the_same(text: &str, setup: &Setup) -> Result<bool, String> {
                 return shown("other motions");
             }
         }
-        match difference(text.as_bytes(), after.as_bytes(), setup) {
+        match difference(&Run::finished(text.into(), setup.clone()), after.clone().into()) {
             None | Some(Difference::OtherControl) => {}
             // Advice about a word depends on the length of a message about its block (`Diagnostic::is_about`). Such a
             // program stays as it is.

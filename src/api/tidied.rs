@@ -52,7 +52,7 @@ impl Places<'_> {
     }
 
     fn proved(&self, run: &Run, edits: &[message::Edit], language: Language) -> Tidied {
-        match difference_by(edits, self.text, &run.setup_to_repeat()) {
+        match difference_by(edits, run) {
             Some(found) => self.refused(found.span(), found.reason(language).to_owned()),
             None => {
                 let rows = edits.iter().map(|edit| self.edit(edit.span, edit.text.clone()));

@@ -3,14 +3,12 @@
 //! In: a text, a place in it, the new number. Out: the edits, or the reason why the number cannot be
 //! renamed. Needs no run: the caller compares the motions before and after.
 
-use super::names::{Computed, Kind, Name, Named, computed};
-use super::uses::{ProgramCount, all, is_local, name_at};
+use super::names::{Computed, Kind, Name, Named};
+use super::uses::{all, first_computed, is_local, name_at};
 use crate::message::Edit;
 use crate::order;
 use crate::setup::dialect::CodeList;
 use crate::source::Span;
-use crate::text::block::Block;
-use crate::text::parser::Parser;
 use crate::text::program_name;
 
 /// The largest sequence number.
@@ -151,17 +149,12 @@ impl Scope {
     }
 
     fn refuse_computed(&self, text: &[u8], codes: CodeList, kind: Kind) -> Result<(), Refusal> {
-        let (mut parser, mut block) = (Parser::new(text), Block::default());
-        let mut programs = ProgramCount::new(text);
-        while parser.next_block(&mut block) {
-            let program = programs.index_of(text, &block);
-            let is_here =
-                |found: &Computed| found.kind == kind && self.has(program, found.scope.is_elsewhere());
-            if let Some(found) = computed(text, &block, codes).into_iter().find(is_here) {
-                return Err(Refusal::Computed(found.span.start));
-            }
+        let is_here =
+            |found: &Computed, program| found.kind == kind && self.has(program, found.scope.is_elsewhere());
+        match first_computed(text, codes, is_here) {
+            Some(found) => Err(Refusal::Computed(found.span.start)),
+            None => Ok(()),
         }
-        Ok(())
     }
 }
 

@@ -1,9 +1,14 @@
 //! Finds all uses of a number: a sequence number, a program, a variable.
 //!
-//! In: the text, a place in it. Out: the positions, in text order. Only lines that contain the digits are
+//! In: the text, a place in it. Out: the positions, in text order. Only lines that may contain the number are
 //! parsed, so that a long program is searched quickly. Does not need a run.
 
-use super::names::{Name, Named, names};
+use std::ops::Range;
+
+use memchr::memmem::Finder;
+use memchr::{memchr, memchr3};
+
+use super::names::{Computed, Name, Named, computed, names};
 use crate::setup::dialect::CodeList;
 use crate::source::{Span, line_around};
 use crate::text::block::Block;
@@ -74,28 +79,49 @@ pub fn is_local(name: Name) -> bool {
 /// All positions of a name, each with the index of its program in the text, from 0.
 pub fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
     let digits = name.number().to_string();
-    let names_program = matches!(name, Name::Program(number) if program_name::is_name(number));
+    let finder = Finder::new(&digits);
+    let number = |from| {
+        let is_meant = |at| may_be_a_name(text, at..at + digits.len());
+        first_where(text, from, |rest| finder.find(rest), is_meant)
+    };
+    let lines = match name {
+        Name::Program(number) if program_name::is_name(number) => lines(text, |_| None),
+        _ => lines(text, number),
+    };
     let (mut found, mut programs) = (Vec::new(), ProgramCount::new(text));
-    let mut start = 0;
-    while start < text.len() {
-        let line = line_around(text, start);
-        let own = line.of(text);
-        let may_use = if names_program { own.contains(&b'<') } else { ends_a_number(own, digits.as_bytes()) };
-        if may_begin_a_program(own) || may_use {
-            read_line(text, line, codes, |named, block| {
-                let program = programs.index_of(text, block);
-                found.extend(
-                    named.into_iter().filter(|named| named.name == name).map(|named| (named, program)),
-                );
-            });
-        }
-        start = line.end as usize + 1;
+    for line in lines {
+        read_line(text, line, codes, |named, block| {
+            let program = programs.index_of(text, block);
+            found.extend(named.into_iter().filter(|named| named.name == name).map(|named| (named, program)));
+        });
     }
     found
 }
 
+/// The first target of a reference that the program computes and that `is_meant` accepts with the index of its
+/// program.
+pub fn first_computed(
+    text: &[u8],
+    codes: CodeList,
+    is_meant: impl Fn(&Computed, u32) -> bool,
+) -> Option<Computed> {
+    // A variable, an expression, a jump, or a P or Q that is not a plain number.
+    let may_refer = |byte: &u8| matches!(byte, b'#' | b'[' | b'P' | b'p' | b'Q' | b'q' | b'T' | b't');
+    let reference = |from| first_where(text, from, |rest| rest.iter().position(may_refer), |_| true);
+    let mut programs = ProgramCount::new(text);
+    lines(text, reference).find_map(|line| {
+        let mut first = None;
+        blocks(text, line, |block| {
+            let program = programs.index_of(text, block);
+            let found = || computed(text, block, codes).into_iter().find(|found| is_meant(found, program));
+            first = first.or_else(found);
+        });
+        first
+    })
+}
+
 /// Counts the programs of a text. Blocks may be left out if they begin no program.
-pub(super) struct ProgramCount {
+struct ProgramCount {
     /// The first letter or digit of the text.
     first: usize,
     index: u32,
@@ -103,13 +129,13 @@ pub(super) struct ProgramCount {
 }
 
 impl ProgramCount {
-    pub(super) fn new(text: &[u8]) -> Self {
+    fn new(text: &[u8]) -> Self {
         let first = text.iter().position(u8::is_ascii_alphanumeric).unwrap_or(text.len());
         Self { first, index: 0, has_begun: false }
     }
 
     /// The index of the program of the next block. The first program of a text may lack a head.
-    pub(super) fn index_of(&mut self, text: &[u8], block: &Block) -> u32 {
+    fn index_of(&mut self, text: &[u8], block: &Block) -> u32 {
         let is_later = || self.first < line_around(text, block.span.start as usize).start as usize;
         let begins = block.program.is_some();
         if begins && (self.has_begun || is_later()) {
@@ -120,29 +146,94 @@ impl ProgramCount {
     }
 }
 
-/// Passes the blocks of a line to `take`, with the names in each.
-fn read_line(text: &[u8], line: Span, codes: CodeList, mut take: impl FnMut(Vec<Named>, &Block)) {
-    let mut parser = Parser::resume(&text[..line.end as usize], Resume::inside(line.start, 0));
-    let mut block = Block::default();
-    while parser.next_block(&mut block) {
-        take(names(text, &block, codes), &block);
+/// The lines that may begin a program, and those with a byte found by `next`, a search from a byte on; in text order.
+fn lines<'a>(
+    text: &'a [u8],
+    next: impl FnMut(usize) -> Option<usize> + 'a,
+) -> Box<dyn Iterator<Item = Span> + 'a> {
+    // `O1`, `:1` (an older form of it), `<NAME>`; a name may also follow a number or M98.
+    let is_head = move |at| begins_block(text, at);
+    let heads = move |from| first_where(text, from, |rest| memchr3(b'O', b'o', b':', rest), is_head);
+    let names = move |from| first_where(text, from, |rest| memchr(b'<', rest), |_| true);
+    let mut searches = [Search::new(heads), Search::new(names), Search::new(next)];
+    let mut from = 0;
+    Box::new(std::iter::from_fn(move || {
+        let byte = searches.iter_mut().filter_map(|search| search.first(from)).min()?;
+        let line = line_around(text, byte);
+        from = line.end as usize + 1;
+        Some(line)
+    }))
+}
+
+/// A search through a text, which keeps the byte that it has found.
+struct Search<'a> {
+    next: Box<dyn FnMut(usize) -> Option<usize> + 'a>,
+    found: Option<usize>,
+}
+
+impl<'a> Search<'a> {
+    fn new(mut next: impl FnMut(usize) -> Option<usize> + 'a) -> Self {
+        let found = next(0);
+        Self { next: Box::new(next), found }
+    }
+
+    /// The first byte from `from` on. `from` never decreases.
+    fn first(&mut self, from: usize) -> Option<usize> {
+        if self.found.is_some_and(|found| found < from) {
+            self.found = (self.next)(from);
+        }
+        self.found
     }
 }
 
-/// Whether a block of the line may begin with O, a colon (an older form of O), or a program name.
-fn may_begin_a_program(line: &[u8]) -> bool {
-    line.split(|&byte| byte == b';').any(|block| {
-        let first = block.iter().find(|byte| !matches!(byte, b' ' | b'\t' | b'%'));
-        first.is_some_and(|byte| matches!(byte, b'O' | b'o' | b':' | b'<'))
-    })
+/// The first byte from `from` on that `find` finds and `is_meant` accepts.
+fn first_where(
+    text: &[u8],
+    from: usize,
+    find: impl Fn(&[u8]) -> Option<usize>,
+    is_meant: impl Fn(usize) -> bool,
+) -> Option<usize> {
+    let mut at = from;
+    loop {
+        at += find(text.get(at..)?)?;
+        if is_meant(at) {
+            return Some(at);
+        }
+        at += 1;
+    }
 }
 
-/// Whether a number in the line ends with these digits.
-fn ends_a_number(line: &[u8], digits: &[u8]) -> bool {
-    let last = digits.len() - 1;
-    line.windows(digits.len()).enumerate().any(|(at, window)| {
-        window[last] == digits[last]
-            && window == digits
-            && !line.get(at + digits.len()).is_some_and(u8::is_ascii_digit)
-    })
+/// Passes the blocks of a line to `take`, with the names in each.
+fn read_line(text: &[u8], line: Span, codes: CodeList, mut take: impl FnMut(Vec<Named>, &Block)) {
+    blocks(text, line, |block| take(names(text, block, codes), block));
+}
+
+/// Passes the blocks of a line to `take`.
+fn blocks(text: &[u8], line: Span, mut take: impl FnMut(&Block)) {
+    let mut parser = Parser::resume(&text[..line.end as usize], Resume::inside(line.start, 0));
+    let mut block = Block::default();
+    while parser.next_block(&mut block) {
+        take(&block);
+    }
+}
+
+/// Whether there are only blanks and `%` before a byte in its block.
+fn begins_block(text: &[u8], byte: usize) -> bool {
+    let before = text[..byte].iter().rev().find(|byte| !matches!(byte, b' ' | b'\t' | b'%'));
+    before.is_none_or(|byte| matches!(byte, b'\n' | b'\r' | b';'))
+}
+
+/// Whether digits end a number that N, O, P, Q, GOTO, `:` or `#` may precede: not that of another address, and
+/// not a fraction.
+fn may_be_a_name(text: &[u8], digits: Range<usize>) -> bool {
+    let is_end = || !text.get(digits.end).is_some_and(u8::is_ascii_digit);
+    let before = || {
+        let number = text[..digits.start].iter().rev().skip_while(|byte| byte.is_ascii_digit());
+        number.copied().find(|byte| !matches!(byte, b' ' | b'\t'))
+    };
+    is_end()
+        && before().is_none_or(|byte| match byte.to_ascii_uppercase() {
+            b'N' | b'O' | b'P' | b'Q' => true,
+            byte => byte != b'.' && !byte.is_ascii_uppercase(),
+        })
 }

@@ -13,6 +13,7 @@ use super::{print, read_within, save};
 use crate::message::Edit;
 use crate::message::applied;
 use crate::proof::{Difference, difference_by};
+use crate::run::Run;
 use crate::run::subprograms::Joined;
 use crate::sentences::Language;
 use crate::setup::Setup;
@@ -97,7 +98,7 @@ impl Source {
         }
         let (run, own) = (self.run_text(), self.own());
         let inside = edits.partition_point(|edit| edit.span.end as usize <= own);
-        match difference_by(&edits[..inside], run, &self.setup) {
+        match difference_by(&edits[..inside], &Run::finished(run.to_vec(), self.setup.clone())) {
             Some(found) => Err(self.refusal(found, action)),
             None => Ok(Some(applied(&self.text, edits))),
         }

@@ -233,6 +233,11 @@ impl Current {
         self.run.replay(self.begin_of_line(byte), byte, time)
     }
 
+    /// Starts a replay like [`Current::replay`]. It may continue from the block of an earlier one.
+    pub fn replay_after(&self, earlier: Replay, byte: u32, time: VisitChoice) -> Replay {
+        self.run.replay_after(earlier, self.begin_of_line(byte), byte, time)
+    }
+
     /// The position at the beginning of the line that contains `byte`.
     fn begin_of_line(&self, byte: u32) -> Resume {
         let (text, lines) = (self.run.text(), self.lines());

@@ -13,6 +13,8 @@ pub struct Question {
     /// The place of the question.
     byte: u32,
     replay: Option<Replay>,
+    /// The last replay that has found its block.
+    ended: Option<Replay>,
     found: Option<(RunId, VisitChoice, Found)>,
 }
 
@@ -32,7 +34,11 @@ impl Question {
         });
         if !is_known {
             self.found = None;
-            self.replay = Some(current.replay(byte, time));
+            let replay = match self.ended.take() {
+                Some(earlier) => current.replay_after(earlier, byte, time),
+                None => current.replay(byte, time),
+            };
+            self.replay = Some(replay);
         }
         is_known
     }
@@ -42,6 +48,7 @@ impl Question {
         let Some(mut replay) = self.replay.take() else { return true };
         if current.advance_replay(&mut replay, blocks) {
             self.found = Some((current.run().id(), replay.choice(), replay.found()));
+            self.ended = Some(replay);
             return true;
         }
         self.replay = Some(replay);

@@ -226,7 +226,7 @@ impl Trials<'_> {
 /// Whether two programs make the same motions: kinds, end points, feeds, spindle and tool, in the same order,
 /// with the same stops.
 pub fn same_motions(before: &Motions, after: &Motions) -> bool {
-    first_other_motion(before, after, SAME).is_none()
+    before.has_same_chunks(after) || first_other_motion(before, after, SAME).is_none()
 }
 
 /// The first motion that is not the same; the number of motions if only a stop or their number differs. Places are the

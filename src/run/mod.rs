@@ -358,6 +358,11 @@ impl Run {
         setup
     }
 
+    /// Begins a run of another text with the same setup and decimal rule, but this setting of block skip.
+    pub fn repeated(&self, text: Vec<u8>, block_skip: Vec<u8>) -> Self {
+        Self::begin(text, Setup { block_skip, ..self.given.clone() }, self.decided)
+    }
+
     /// Begins a run of the same text with another setup. Keeps a decimal rule that was decided for the
     /// program.
     pub fn set_setup(&mut self, given: Setup) {
@@ -536,6 +541,11 @@ impl Run {
     /// Whether the run has ended.
     pub fn is_finished(&self) -> bool {
         self.finished
+    }
+
+    /// Whether the run has ended and was not stopped early.
+    pub fn is_complete(&self) -> bool {
+        self.finished && !self.stopped
     }
 
     /// The text.

@@ -23,7 +23,7 @@ use crate::sentences::Language;
 use crate::source::{LineIndex, Span, line_around};
 
 /// Blocks that are run in one slice.
-const BLOCKS: usize = 100_000;
+pub const BLOCKS: usize = 100_000;
 
 /// Blocks that are replayed in one slice.
 const REPLAYED_BLOCKS: usize = 10_000;
@@ -33,6 +33,8 @@ const REPLAYED_BLOCKS: usize = 10_000;
 pub enum Need {
     /// The text.
     Text,
+    /// The run.
+    Run,
     /// The messages of the run and of the machine.
     Messages,
     /// The messages that have fixes. Messages of the machine have no fixes.
@@ -180,7 +182,7 @@ impl Document {
             return false;
         }
         match need {
-            Need::Text => true,
+            Need::Text | Need::Run => true,
             Need::Messages => self.find_messages(),
             Need::Fixes => self.find_fixable(),
             Need::Place(position) => self.find_block(self.positions(client.encoding).byte(position)),

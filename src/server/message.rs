@@ -3,6 +3,8 @@
 //! In: the text of a message. Out: a request, a notification or a response; and the texts of answers. Must
 //! not know the methods.
 
+use std::task::Poll;
+
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -42,6 +44,9 @@ pub enum Reason {
     /// The request is correct and cannot be fulfilled.
     RequestFailed = -32803,
 }
+
+/// The result of a slice of work: that of the request, once it is ready.
+pub type Progress<T> = Poll<Result<T, Failure>>;
 
 /// The error of a request.
 #[derive(Clone, Debug, PartialEq, Eq)]

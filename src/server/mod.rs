@@ -31,6 +31,7 @@ mod tasks;
 mod tokens;
 
 use std::collections::VecDeque;
+use std::task::Poll;
 
 use gen_lsp_types::{
     DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
@@ -219,9 +220,14 @@ impl<H: Host> Server<H> {
         if !subject.is_none_or(|subject| self.prepare(subject.uri.as_ref(), subject.need)) {
             return Vec::new();
         }
-        let Some(Task { id, answer, .. }) = self.tasks.pop_front() else { return Vec::new() };
-        let result = answer(&self.context());
-        vec![message::answer(Some(id), result)]
+        let Some(mut task) = self.tasks.pop_front() else { return Vec::new() };
+        match (task.answer)(&self.context()) {
+            Poll::Ready(result) => vec![message::answer(Some(task.id), result)],
+            Poll::Pending => {
+                self.tasks.push_front(task);
+                Vec::new()
+            }
+        }
     }
 
     /// Prepares a document in one slice; returns true once it is ready.

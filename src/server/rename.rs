@@ -3,17 +3,19 @@
 //! In: a position and the new number. Out: the edits; or the reason for a refusal. The changed text is run,
 //! and its motions must be the same.
 
+use std::task::Poll;
+
 use gen_lsp_types::{
     PrepareRenameParams, PrepareRenamePlaceholder, PrepareRenameResult, RenameParams, WorkspaceEdit,
 };
 
 use super::context::Asked;
-use super::message::{Failure, Reason};
-use crate::analyze;
+use super::document::BLOCKS;
+use super::message::{Failure, Progress, Reason};
 use crate::assist::rename::{Refusal, renamed, renamed_at};
-use crate::message::Edit;
-use crate::message::applied;
+use crate::message::{Edit, applied};
 use crate::rewrite::same_motions;
+use crate::run::Run;
 use crate::sentences::server;
 
 /// The answer to `textDocument/prepareRename`: the word, which the user replaces.
@@ -28,26 +30,47 @@ pub fn prepare(asked: &Asked, params: &PrepareRenameParams) -> Result<Option<Pre
     Ok(Some(PrepareRenameResult::PrepareRenamePlaceholder(found)))
 }
 
-/// The answer to `textDocument/rename`.
-pub fn rename(asked: &Asked, params: &RenameParams) -> Result<Option<WorkspaceEdit>, Failure> {
-    let byte = asked.positions().byte(params.text_document_position_params.position);
-    let codes = asked.document.run().code_list();
-    let edits = renamed(asked.text(), codes, byte, &params.new_name);
-    let edits = edits.map_err(|refusal| refused(asked, &refusal))?;
-    if !keeps_motions(asked, &edits) {
-        return Err(Failure::new(Reason::RequestFailed, server::motions_would_change(asked.language)));
-    }
-    Ok(Some(asked.edits(&edits)))
+/// A rename whose motions are being checked.
+pub struct Renaming {
+    edits: Vec<Edit>,
+    /// The run of the changed text.
+    after: Run,
 }
 
-/// Whether the program with the edits makes the same motions, and as many of its blocks cannot be executed.
-fn keeps_motions(asked: &Asked, edits: &[Edit]) -> bool {
-    let (text, setup) = (asked.text(), asked.document.run().setup_to_repeat());
-    let (before, after) = (analyze(text, &setup), analyze(&applied(text, edits), &setup));
-    let errors = |analysis: &crate::run::Analysis| {
-        analysis.diagnostics.iter().filter(|found| found.is_error()).count()
+/// The answer to `textDocument/rename`, in slices.
+pub fn rename(
+    renaming: &mut Option<Renaming>,
+    asked: &Asked,
+    params: &RenameParams,
+) -> Progress<Option<WorkspaceEdit>> {
+    let run = asked.document.run();
+    let Renaming { edits, after } = match renaming {
+        Some(begun) => begun,
+        None => {
+            let byte = asked.positions().byte(params.text_document_position_params.position);
+            let edits = match renamed(asked.text(), run.code_list(), byte, &params.new_name) {
+                Ok(edits) => edits,
+                Err(refusal) => return Poll::Ready(Err(refused(asked, &refusal))),
+            };
+            // Subprograms from other files follow the text.
+            let after = run.repeated(applied(run.text(), &edits), run.setup_to_repeat().block_skip);
+            renaming.insert(Renaming { edits, after })
+        }
     };
-    same_motions(&before.motions, &after.motions) && errors(&before) == errors(&after)
+    if !after.advance(BLOCKS) {
+        return Poll::Pending;
+    }
+    Poll::Ready(if is_same(run, after) {
+        Ok(Some(asked.edits(edits)))
+    } else {
+        Err(Failure::new(Reason::RequestFailed, server::motions_would_change(asked.language)))
+    })
+}
+
+/// Whether two programs make the same motions, and as many of their blocks cannot be executed.
+fn is_same(before: &Run, after: &Run) -> bool {
+    let errors = |run: &Run| run.diagnostics().iter().filter(|found| found.is_error()).count();
+    same_motions(before.motions(), after.motions()) && errors(before) == errors(after)
 }
 
 fn refused(asked: &Asked, refusal: &Refusal) -> Failure {

@@ -11,11 +11,11 @@ const MAX_LINES: usize = 10_000;
 /// The edits that change a text into another one: one for each changed line, if both have the same number of
 /// lines and not too many are changed.
 pub fn changed_lines(before: &[u8], after: &[u8]) -> Vec<Edit> {
-    let (old, new): (Vec<_>, Vec<_>) = (lines(before), lines(after));
-    let is_changed = |(old, new): &(&Span, &Span)| old.of(before) != new.of(after);
-    let changed = || old.iter().zip(&new).filter(is_changed);
+    let (old, new) = (LineIndex::new(before), LineIndex::new(after));
+    let lines = || (0..old.len()).map(|line| (old.line(before, line), new.line(after, line)));
+    let changed = || lines().filter(|(old, new)| old.of(before) != new.of(after));
     match old.len() == new.len() && changed().nth(MAX_LINES).is_none() {
-        true => changed().map(|(old, new)| Edit { span: *old, text: new.quote(after) }).collect(),
+        true => changed().map(|(old, new)| Edit { span: old, text: new.quote(after) }).collect(),
         false => vec![changed_middle(before, after)],
     }
 }
@@ -35,12 +35,6 @@ pub fn changed_middle(before: &[u8], after: &[u8]) -> Edit {
     let behind = before.len() - end;
     let text = String::from_utf8_lossy(&after[start..after.len() - behind]).into_owned();
     Edit { span: Span::new(start, end), text }
-}
-
-/// The spans of the lines, without their line ends.
-fn lines(text: &[u8]) -> Vec<Span> {
-    let index = LineIndex::new(text);
-    (0..index.len()).map(|line| index.line(text, line)).collect()
 }
 
 #[cfg(test)]

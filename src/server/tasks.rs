@@ -2,6 +2,8 @@
 //!
 //! In: a method and its parameters. Out: a [`Task`], which waits until its document is prepared.
 
+use std::task::Poll;
+
 use gen_lsp_types::{
     CodeAction, CodeActionRequest, CodeLensRequest, CompletionRequest, DefinitionParams,
     DocumentDiagnosticRequest, DocumentFormattingRequest, DocumentHighlightRequest, DocumentLinkRequest,
@@ -14,7 +16,7 @@ use serde_json::Value;
 
 use super::context::{Asked, Context};
 use super::document::Need;
-use super::message::{Failure, Id, Reason};
+use super::message::{Failure, Id, Progress, Reason};
 use super::{
     actions, completion, diagnostics, formatting, hints, hover, lenses, links, navigation, rename, signature,
     symbols, tokens,
@@ -39,8 +41,11 @@ pub struct Subject {
     pub need: Need,
 }
 
-/// Makes the answer to a request.
-pub type Answer = Box<dyn FnOnce(&Context) -> Result<Value, Failure>>;
+/// Makes the answer to a request, in slices; it is not called again once it is ready.
+pub type Answer = Box<dyn FnMut(&Context) -> Progress<Value>>;
+
+/// Continues an answer, and keeps its progress in a state.
+type Slice<R, S> = fn(&mut Option<S>, &Asked, &<R as Request>::Params) -> Progress<<R as Request>::Result>;
 
 /// The parsed parameters of a request.
 type Parsed = Result<(Option<Subject>, Answer), Failure>;
@@ -98,9 +103,11 @@ fn parse(method: LspRequestMethod, params: Value) -> Option<Parsed> {
         Method::TextDocumentPrepareRename => {
             about::<PrepareRenameRequest>(params, |p| text(&p.text_document_position_params), rename::prepare)
         }
-        Method::TextDocumentRename => {
-            about::<RenameRequest>(params, |p| text(&p.text_document_position_params), rename::rename)
-        }
+        Method::TextDocumentRename => about_in_slices::<RenameRequest, _>(
+            params,
+            |p| (&p.text_document_position_params.text_document, Need::Run),
+            rename::rename,
+        ),
         Method::TextDocumentSemanticTokensFull => {
             about::<SemanticTokensRequest>(params, |p| (&p.text_document, Need::Text), tokens::whole)
         }
@@ -113,9 +120,9 @@ fn parse(method: LspRequestMethod, params: Value) -> Option<Parsed> {
         Method::TextDocumentDocumentLink => {
             about::<DocumentLinkRequest>(params, |p| (&p.text_document, Need::Text), links::links)
         }
-        Method::TextDocumentFormatting => about::<DocumentFormattingRequest>(
+        Method::TextDocumentFormatting => about_in_slices::<DocumentFormattingRequest, _>(
             params,
-            |p| (&p.text_document, Need::Messages),
+            |p| (&p.text_document, Need::Run),
             formatting::formatting,
         ),
         Method::TextDocumentDefinition => definition(params),
@@ -134,7 +141,37 @@ fn about<R: Request>(
     let (document, need) = subject(&params);
     let uri = document.uri.clone();
     let subject = Subject { uri: uri.clone(), need };
-    Ok((Some(subject), Box::new(move |context| written(&answer(&context.asked(&uri)?, &params)?))))
+    let answer = move |context: &Context| written(&answer(&context.asked(&uri)?, &params)?);
+    Ok((Some(subject), at_once(answer)))
+}
+
+/// A request about one document whose answer takes several slices. It begins again when the document is run again.
+fn about_in_slices<R: Request, S: 'static>(
+    params: Value,
+    subject: fn(&R::Params) -> (&TextDocumentIdentifier, Need),
+    answer: Slice<R, S>,
+) -> Parsed {
+    let params: R::Params = read(params)?;
+    let (document, need) = subject(&params);
+    let uri = document.uri.clone();
+    let subject = Subject { uri: uri.clone(), need };
+    let (mut run, mut state) = (None, None);
+    let answer = move |context: &Context| {
+        let asked = match context.asked(&uri) {
+            Ok(asked) => asked,
+            Err(failure) => return Poll::Ready(Err(failure)),
+        };
+        if run.replace(asked.document.run().id()) != Some(asked.document.run().id()) {
+            state = None;
+        }
+        answer(&mut state, &asked, &params).map(|result| written(&result?))
+    };
+    Ok((Some(subject), Box::new(answer)))
+}
+
+/// An answer that is made in one slice.
+fn at_once(mut answer: impl FnMut(&Context) -> Result<Value, Failure> + 'static) -> Answer {
+    Box::new(move |context| Poll::Ready(answer(context)))
 }
 
 fn definition(params: Value) -> Parsed {
@@ -142,7 +179,7 @@ fn definition(params: Value) -> Parsed {
     let uri = params.text_document_position_params.text_document.uri.clone();
     let subject = Subject { uri: uri.clone(), need: Need::Text };
     let answer = move |context: &Context| written(&navigation::definition(context, &uri, &params)?);
-    Ok((Some(subject), Box::new(answer)))
+    Ok((Some(subject), at_once(answer)))
 }
 
 fn resolve(params: Value) -> Parsed {
@@ -153,12 +190,12 @@ fn resolve(params: Value) -> Parsed {
         .ok_or_else(|| Failure::new(Reason::InvalidParams, "the action has no `data`"))?;
     let subject = Subject { uri: uri.clone(), need: Need::Text };
     let answer = move |context: &Context| written(&actions::resolved(&context.asked(&uri)?, &action)?);
-    Ok((Some(subject), Box::new(answer)))
+    Ok((Some(subject), at_once(answer)))
 }
 
 fn workspace_symbols(params: Value) -> Parsed {
     let params: WorkspaceSymbolParams = read(params)?;
-    Ok((None, Box::new(move |context| written(&symbols::programs(context, &params)?))))
+    Ok((None, at_once(move |context| written(&symbols::programs(context, &params)?))))
 }
 
 fn place(at: &TextDocumentPositionParams) -> (&TextDocumentIdentifier, Need) {

@@ -2,10 +2,17 @@
 
 use gcode_playground::api::Places;
 use gcode_playground::api::assist::Reader;
+use gcode_playground::assist::names::{Name, computed, names};
+use gcode_playground::assist::uses::{all, first_computed};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::dialect::CodeList;
 use gcode_playground::source::LineIndex;
+use gcode_playground::text::block::Block;
+use gcode_playground::text::parser::{Parser, Resume};
 use gcode_playground::units::Unit;
+use proptest::prelude::*;
+
+use crate::random_programs::program;
 
 const SHAFT: &str = "\
 O0001 (SHAFT)
@@ -158,6 +165,41 @@ fn the_number_that_is_asked_about_is_among_its_uses() {
         }
     }
     assert!(asked > 200, "{asked}");
+}
+
+/// A text with numbers in usual and unusual places.
+fn numbered() -> impl Strategy<Value = String> {
+    let letters = "[NOPQ#:;GXZT\\[\\]<>%().,+ \t\n\r/=-]|GOTO|IF|THEN|M98|G65|G71|M99|O<|外";
+    let digits = "[0-9]|10|0010|110|1010|100000";
+    prop::collection::vec(prop_oneof![2 => letters, 3 => digits], 0..60).prop_map(|pieces| pieces.concat())
+}
+
+proptest! {
+    #[test]
+    fn a_search_finds_what_reading_each_line_finds(
+        text in prop_oneof![2 => numbered(), 1 => program()],
+        name in prop_oneof![
+            prop::sample::select(vec![1, 5, 10, 110, 1010]).prop_map(Name::Sequence),
+            prop::sample::select(vec![1, 10, 1000, 2000]).prop_map(Name::Program),
+            prop::sample::select(vec![1, 10, 100, 110]).prop_map(Name::Variable),
+        ],
+    ) {
+        let text = text.as_bytes();
+        let lines = LineIndex::new(text);
+        let (mut places, mut first) = (Vec::new(), None);
+        for line in 0..lines.len() {
+            let span = lines.line(text, line);
+            let mut parser = Parser::resume(&text[..span.end as usize], Resume::inside(span.start, 0));
+            let mut block = Block::default();
+            while parser.next_block(&mut block) {
+                places.extend(names(text, &block, CodeList::A).into_iter().filter(|named| named.name == name));
+                first = first.or_else(|| computed(text, &block, CodeList::A).into_iter().next());
+            }
+        }
+        let found: Vec<_> = all(text, CodeList::A, name).into_iter().map(|(named, _)| named).collect();
+        prop_assert_eq!(found, places);
+        prop_assert_eq!(first_computed(text, CodeList::A, |_, _| true), first);
+    }
 }
 
 #[test]

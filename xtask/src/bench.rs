@@ -1,6 +1,6 @@
 //! In: the options. Out: the tables of `tests/speed/README.md`: the playground compared with a floor and its
 //! peers, natively, in wasm under Node and in a browser; the times of the hostile programs; the cost of the
-//! first picture on a slow line.
+//! first picture on a slow line; the times of the language server.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -42,8 +42,9 @@ pub fn main(options: Options) -> Result {
     step("compiling the native run", native.args(["build", "--release", "--example", "native"]))?;
     let folder = binaries.join("bench");
     write_programs(&folder)?;
-    let [measures, hostile_times, first_picture, over_files] =
-        ["measures.md", "hostile.md", "first-picture.md", "command-line.md"].map(|name| folder.join(name));
+    let [measures, hostile_times, first_picture, over_files, server] =
+        ["measures.md", "hostile.md", "first-picture.md", "command-line.md", "server.md"]
+            .map(|name| folder.join(name));
     let mut node = command("node");
     node.arg("tests/speed/measure.mjs").arg(&folder).env(browser::VARIABLE, &browser);
     node.arg("--binaries").arg(binaries.join("release/examples")).arg("--peers").arg(peers.join("release"));
@@ -56,6 +57,7 @@ pub fn main(options: Options) -> Result {
     }
     step("measuring", &mut node)?;
     hostile::main(Some(&hostile_times))?;
+    hostile::server(Some(&server))?;
     let mut picture = command("node");
     picture.arg("tests/speed/first-picture.mjs").arg("--report").arg(&first_picture);
     picture.env(browser::VARIABLE, &browser);
@@ -70,6 +72,7 @@ pub fn main(options: Options) -> Result {
             ("measures", measures),
             ("hostile", hostile_times),
             ("first-picture", first_picture),
+            ("server", server),
         ])?;
     }
     Ok(())

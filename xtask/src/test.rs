@@ -2,7 +2,7 @@
 //!
 //! `cargo xtask test` checks a change in minutes; `--native` and `--page` are its halves, for parallel jobs.
 //! `--all` adds checks that are slow or that a change rarely breaks: the fuzz targets, the hostile programs,
-//! the packages for other projects, the command line under Node, the recipes for manuals, the checks in a
+//! a long program in the language server, the packages for other projects, the command line under Node, the recipes for manuals, the checks in a
 //! repository, the server in editors, the extension for Visual Studio Code, and every browser test in three
 //! engines.
 
@@ -180,6 +180,7 @@ fn products(setup: &Setup, done: &mut Done) -> Result {
     done.add("crate", crate_file);
     // Their times are measured, so nothing runs in parallel.
     done.add("hostile programs", hostile::main(None)?);
+    done.add("long program in the server", hostile::server(None)?);
     Ok(())
 }
 

@@ -117,20 +117,41 @@ impl Run {
     /// Starts a replay up to the block at `byte`; `line` is the beginning of its line. The run must have
     /// ended; an edit invalidates the replay.
     pub fn replay(&self, line: Resume, byte: u32, choice: VisitChoice) -> Replay {
+        self.replay_to(block_at(&self.text, line, byte).0, choice)
+    }
+
+    /// Starts a replay like [`Run::replay`]. Continues from the block of an earlier replay if that is nearer than the
+    /// last snapshot.
+    pub fn replay_after(&self, earlier: Replay, line: Resume, byte: u32, choice: VisitChoice) -> Replay {
         let (place, _) = block_at(&self.text, line, byte);
-        let before = self.checkpoints.partition_point(|checkpoint| checkpoint.byte() <= place.start.byte);
-        let checkpoint = before.checked_sub(1).map(|last| &self.checkpoints[last]);
+        let between = earlier.run.at.byte..=place.start.byte;
+        let has_snapshot =
+            self.last_checkpoint(place.start.byte).is_some_and(|last| between.contains(&last.byte()));
+        if has_snapshot || !earlier.can_continue(self.id, place.start.byte) {
+            return self.replay_to(place, choice);
+        }
+        let mut replay =
+            Replay { place, choice, visits: 0, carried_out: 0, visit: None, is_done: false, ..earlier };
+        replay.watch();
+        replay
+    }
+
+    /// The last snapshot before a byte.
+    fn last_checkpoint(&self, byte: u32) -> Option<&Checkpoint> {
+        let before = self.checkpoints.partition_point(|checkpoint| checkpoint.byte() <= byte);
+        before.checked_sub(1).map(|last| &self.checkpoints[last])
+    }
+
+    fn replay_to(&self, place: Range<Resume>, choice: VisitChoice) -> Replay {
+        let checkpoint = self.last_checkpoint(place.start.byte);
         let checkpoint = checkpoint.filter(|checkpoint| checkpoint.snapshot.has_origins());
         let motions_before = checkpoint.map_or(0, |checkpoint| {
             let chunks = checkpoint.snapshot.chunks();
             self.motions().before().get(chunks).copied().unwrap_or(self.motions().len())
         });
-        let mut run = self.replay_from(checkpoint);
-        if let Some(record) = run.interpreter.record_mut() {
-            record.watch(place.start.byte);
-        }
+        let run = self.replay_from(checkpoint);
         let is_done = !self.finished || self.recognised.foreign.is_some() || run.finished;
-        Replay {
+        let mut replay = Replay {
             of: self.id,
             run,
             place,
@@ -141,7 +162,9 @@ impl Run {
             visit: None,
             read_by: [false; 2],
             is_done,
-        }
+        };
+        replay.watch();
+        replay
     }
 
     /// Continues a replay for at most `blocks` blocks; returns true once it has ended.
@@ -230,8 +253,22 @@ impl Replay {
     }
 
     /// The result, once the replay has ended.
-    pub fn found(self) -> Found {
-        Found { place: self.place, visits: self.visits, visit: self.visit, read_by: self.read_by }
+    pub fn found(&self) -> Found {
+        let Self { place, visits, visit, read_by, .. } = self;
+        Found { place: place.clone(), visits: *visits, visit: visit.clone(), read_by: *read_by }
+    }
+
+    /// Whether the replay can continue to the block at a byte: so far, it has executed the blocks in text order.
+    fn can_continue(&self, of: RunId, byte: u32) -> bool {
+        let is_before = self.run.at.byte <= byte && !self.run.ended && !self.run.finished;
+        self.of == of && self.is_done && is_before && self.run.interpreter.is_in_linear_order()
+    }
+
+    /// Records when a cycle reads the block as a part of its contour.
+    fn watch(&mut self) {
+        if let Some(record) = self.run.interpreter.record_mut() {
+            record.watch(self.place.start.byte);
+        }
     }
 
     fn advance(&mut self, blocks: usize) {

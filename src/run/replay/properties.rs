@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use proptest::prelude::*;
 
-use super::VisitChoice;
+use super::{Replay, VisitChoice};
 use crate::control::modal::State;
 use crate::run::Run;
 use crate::setup::Setup;
@@ -238,18 +238,30 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 50, ..ProptestConfig::default() })]
 
     #[test]
-    fn a_replay_finds_what_stepping_finds(text in programs(), stride in 1..40_usize, slice in 1..50_usize) {
+    fn a_replay_finds_what_stepping_finds(
+        text in programs(),
+        stride in 1..40_usize,
+        slice in 1..50_usize,
+        continues in any::<bool>(),
+    ) {
         let Some(stepped) = stepped(&text) else { return Ok(()) };
         let mut setup = Setup::default();
         setup.limits.stride = stride;
         let mut run = Run::new(text.clone().into(), setup);
         while !run.advance(slice) {}
+        let mut earlier: Option<Replay> = None;
         for (&byte, steps) in &stepped {
             let line = text[..byte as usize].matches('\n').count() as u32;
             let mut find = |time| {
-                let mut replay = run.replay(Resume::inside(byte, line), byte, time);
+                let line = Resume::inside(byte, line);
+                let mut replay = match earlier.take().filter(|_| continues) {
+                    Some(earlier) => run.replay_after(earlier, line, byte, time),
+                    None => run.replay(line, byte, time),
+                };
                 while !run.advance_replay(&mut replay, slice) {}
-                replay.found()
+                let found = replay.found();
+                earlier = Some(replay);
+                found
             };
             let times = find(VisitChoice::Usual).visits;
             prop_assert!(times as usize >= steps.len(), "line {}: {times} times", line + 1);
