@@ -12,7 +12,7 @@ use crate::control::contour::Landmarks;
 use crate::cycles::single::{Single, cuts_along_x};
 use crate::cycles::threading::{LEAD_ERROR, run_in, run_out};
 use crate::geometry::bounds::Bounds;
-use crate::geometry::{Point, at_share};
+use crate::geometry::{Point, at_share, nearest_on};
 use crate::motion::{Cycle, CycleFamily, Motion, Motions, SpindleSpeed, Step};
 use crate::scene::annotation::{Annotation, Importance, Label, Measure, Shape};
 use crate::source::Span;
@@ -92,6 +92,10 @@ impl Call {
                 let pass = self.plain_pass();
                 let of_pass = |step: Step| self.steps(step).find(|motion| pass_of(motion) == pass);
                 let [cut, escape, back] = [Step::Cut, Step::Escape, Step::Return].map(of_pass);
+                // With e = Δd, only the return of the first pass is beside the cuts.
+                let is_visible = |own: &&Motion| pass_of(own) > 0 && !self.is_under_cut(own);
+                let back =
+                    back.filter(is_visible).or_else(|| self.steps(Step::Return).find(is_visible)).or(back);
                 vec![approach, infeed, cut, escape, back, contour(passes().next_back()), end]
             }
             Cycle::Pattern => {
@@ -115,6 +119,13 @@ impl Call {
     fn plain_pass(&self) -> u32 {
         let count = self.last(Step::Cut).map_or(0, pass_of);
         if count < FEW_PASSES { 1 } else { count / 2 }
+    }
+
+    /// Whether the middle of a straight motion is on a cut.
+    fn is_under_cut(&self, motion: &Motion) -> bool {
+        let middle = at_share([motion.from, motion.to], 0.5);
+        let is_over = |cut: &Motion| nearest_on([cut.from, cut.to], middle).distance(middle) < SAME_DEPTH;
+        self.steps(Step::Cut).any(is_over)
     }
 
     /// The longest straight motion of a pass along the contour.

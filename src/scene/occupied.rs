@@ -55,6 +55,16 @@ impl Rectangle {
     }
 }
 
+/// A straight stroke beside a straight line, CSS pixels.
+struct Neighbour {
+    /// The part of the line, from its start.
+    part: [f64; 2],
+    /// The distances of the stroke at both ends of the part; negative on the other side.
+    away: [f64; 2],
+    /// Length of the stroke along the line; negative in the opposite direction.
+    forward: f64,
+}
+
 /// A map of the cells that strokes or edges pass through.
 #[derive(Clone, Debug)]
 pub struct Occupied {
@@ -191,29 +201,13 @@ impl Occupied {
     /// The pieces of a straight line that straight strokes do not cover. `covers`: whether a stroke counts, by the way that
     /// it goes forward along the line.
     fn beside(&self, line: [Pixel; 2], covers: impl Fn(f64) -> bool) -> Vec<[Pixel; 2]> {
-        let [from, to] = line;
-        let length = from.distance(to);
+        let length = line[0].distance(line[1]);
         if length < LEAST_PIECE {
             return Vec::new();
         }
-        let unit = Pixel::new((to.x - from.x) / length, (to.y - from.y) / length);
-        // Along the line, and across it.
-        let place = |at: Pixel| {
-            let (x, y) = (at.x - from.x, at.y - from.y);
-            [x * unit.x + y * unit.y, x * unit.y - y * unit.x]
-        };
-        let mut covered: Vec<[f64; 2]> = Vec::new();
-        for stroke in &self.straight {
-            let [a, b] = stroke.map(place);
-            let (low, high) = (a[0].min(b[0]).max(0.0), a[0].max(b[0]).min(length));
-            if high - low < LEAST_PIECE || !covers(b[0] - a[0]) {
-                continue;
-            }
-            let across = |along: f64| a[1] + (along - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
-            if across(low).abs() < ALONG && across(high).abs() < ALONG {
-                covered.push([low, high]);
-            }
-        }
+        let over = self.neighbours(line).filter(|own| covers(own.forward));
+        let over = over.filter(|own| own.away.iter().all(|away| away.abs() < ALONG));
+        let mut covered: Vec<[f64; 2]> = over.map(|own| own.part).collect();
         covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let (mut pieces, mut end) = (Vec::new(), 0.0);
         for [low, high] in covered.into_iter().chain([[length; 2]]) {
@@ -223,6 +217,30 @@ impl Occupied {
             end = f64::max(end, high);
         }
         pieces
+    }
+
+    /// The distance of a straight line from the nearest straight stroke that runs beside it, CSS pixels.
+    pub fn distance_beside(&self, line: [Pixel; 2]) -> f64 {
+        let away = self.neighbours(line).flat_map(|own| own.away);
+        away.map(f64::abs).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The straight strokes that run beside a straight line for a part of it.
+    fn neighbours(&self, [from, to]: [Pixel; 2]) -> impl Iterator<Item = Neighbour> {
+        let length = from.distance(to).max(LEAST_PIECE);
+        let unit = Pixel::new((to.x - from.x) / length, (to.y - from.y) / length);
+        // Along the line, and across it.
+        let place = move |at: Pixel| {
+            let (x, y) = (at.x - from.x, at.y - from.y);
+            [x * unit.x + y * unit.y, x * unit.y - y * unit.x]
+        };
+        self.straight.iter().filter_map(move |stroke| {
+            let [a, b] = stroke.map(place);
+            let part = [a[0].min(b[0]).max(0.0), a[0].max(b[0]).min(length)];
+            let across = |along: f64| a[1] + (along - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+            let own = || Neighbour { part, away: part.map(across), forward: b[0] - a[0] };
+            (part[1] - part[0] >= LEAST_PIECE).then(own)
+        })
     }
 
     /// The cells of the picture along a line, at steps of a length, CSS pixels; a cell may be repeated.

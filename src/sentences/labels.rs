@@ -217,8 +217,8 @@ pub fn length(unit: units::Unit, language: Language) -> &'static str {
 }
 
 /// The legend of a drawing: rapids, cuts, threads; blank, part, chuck and tailstock, a collision, milled
-/// areas; a note that passes on top of each other are drawn side by side; material that another cut leaves.
-pub fn legend(language: Language) -> [&'static str; 10] {
+/// areas; a note that passes on top of each other are drawn side by side; material that another cut leaves; a tool.
+pub fn legend(language: Language) -> [&'static str; 11] {
     match language {
         Language::English => [
             "rapid",
@@ -231,6 +231,7 @@ pub fn legend(language: Language) -> [&'static str; 10] {
             "milled, see the end face",
             "passes drawn apart",
             "left if R is the length of the cone",
+            "tool",
         ],
         Language::Chinese => [
             "快速移动",
@@ -243,6 +244,7 @@ pub fn legend(language: Language) -> [&'static str; 10] {
             "铣削，见端面视图",
             "各次走刀分开绘制",
             "R 只取锥面长度时残留的材料",
+            "刀具",
         ],
         Language::Russian => [
             "ускоренный ход",
@@ -255,6 +257,7 @@ pub fn legend(language: Language) -> [&'static str; 10] {
             "фрезеруется, см. торец",
             "проходы разведены на рисунке",
             "материал останется, если R равно длине конуса",
+            "инструмент",
         ],
     }
 }

@@ -28,7 +28,7 @@ const LONG: f64 = 32.0;
 /// Distance of the number of a step from its stroke, CSS pixels: it has room before the first dimension line.
 const FROM_STROKE: f64 = 3.5;
 /// The arrow of a step: its distance from the stroke, and its least and greatest length, CSS pixels.
-const ARROW_AWAY: f64 = 7.0;
+pub(super) const ARROW_AWAY: f64 = 7.0;
 const ARROW: [f64; 2] = [14.0, 40.0];
 
 /// A polyline.

@@ -23,8 +23,8 @@ mod lines;
 mod rows;
 
 use candidates::{
-    BESIDE, Candidate, Candidates, FIRST, Feature, angles, around_point, beside, beside_arrow, beyond,
-    diameters, dimension_columns, dimension_lines, radii,
+    ARROW_AWAY, BESIDE, Candidate, Candidates, FIRST, Feature, angles, around_point, beside, beside_arrow,
+    beyond, diameters, dimension_columns, dimension_lines, radii,
 };
 pub use detail::detail_sizes;
 use lines::{HEAD, OTHER_POSITION, dashed, direction, ends_of, head, nearest_on};
@@ -383,7 +383,10 @@ impl<'a> Placing<'a> {
             }
             Shape::Diameter(at) => (self.across(at, size, FIRST), note(at)),
             Shape::DiameterThrough(at) => (self.across(at, size, 0.0), note(at)),
-            Shape::Step(ends) => (self.steps(ends.map(screen), size), Vec::new()),
+            Shape::Step(ends) => {
+                let stroke = ends.map(screen);
+                (self.steps(stroke, size), beside(stroke, size))
+            }
             Shape::Radius { center, on } => (radii(screen(center), screen(on), size), note(on)),
             Shape::Angle { vertex, base, end } => {
                 (angles([vertex, base, end].map(screen), size), note(vertex))
@@ -392,7 +395,8 @@ impl<'a> Placing<'a> {
         Candidates { full, notes }
     }
 
-    /// The number of a step beside its stroke. Where strokes in the opposite direction cover it, the number has an arrow.
+    /// The number of a step beside its stroke. Where strokes in the opposite direction cover it, the number has an arrow,
+    /// which is not nearer to another stroke.
     fn steps(&self, stroke: [Pixel; 2], size: [f64; 2]) -> Vec<Candidate> {
         let length = |piece: &[Pixel; 2]| piece[0].distance(piece[1]);
         if length(&stroke) < LEAST_OWN {
@@ -401,15 +405,23 @@ impl<'a> Placing<'a> {
         let pieces = self.occupied.beside_opposite(stroke);
         let longest = pieces.into_iter().max_by(|a, b| length(a).total_cmp(&length(b)));
         let Some(own) = longest.filter(|own| length(own) >= LEAST_OWN) else {
-            return beside_arrow(stroke, size);
+            return self.arrows(stroke, size);
         };
         // There is its arrow head.
         let middle = Pixel::at_share(stroke, 0.5);
         if nearest_on(own, middle).distance(middle) < HEAD[0] {
             beside(own, size)
         } else {
-            beside_arrow(stroke, size)
+            self.arrows(stroke, size)
         }
+    }
+
+    fn arrows(&self, stroke: [Pixel; 2], size: [f64; 2]) -> Vec<Candidate> {
+        let is_own = |own: &Candidate| {
+            let arrow = own.lines.first().and_then(|line| ends_of(line));
+            arrow.is_some_and(|arrow| self.occupied.distance_beside(arrow) > ARROW_AWAY - 0.5)
+        };
+        beside_arrow(stroke, size).into_iter().filter(is_own).collect()
     }
 
     /// A letter beside its point. If another point is so near that the letters could be confused, it has a leader line,

@@ -28,8 +28,8 @@ pub struct Caption {
 /// The samples of a legend, each as the text before and after the coordinates of its left middle.
 ///
 /// Rapids, cuts, threads; the blank where material was removed, the part, chuck and tailstock, a collision,
-/// milling under G12.1; a note that passes are displaced; the material of a zone.
-pub const LEGEND: [[&str; 2]; 10] = [
+/// milling under G12.1; a note that passes are displaced; the material of a zone; a tool.
+pub const LEGEND: [[&str; 2]; 11] = [
     [r#"<g><path class="rapid" d="M"#, r#"h24"/></g>"#],
     [r#"<g><path class="feed" d="M"#, r#"h24"/></g>"#],
     [r#"<g><path class="thread" d="M"#, r#"h24"/></g>"#],
@@ -40,6 +40,10 @@ pub const LEGEND: [[&str; 2]; 10] = [
     [r#"<path class="milled" d="M"#, r#"m0 -6h24v12h-24zl24 12m0 -12l-24 12"/>"#],
     ["", ""],
     [r#"<path class="hatch" d="M"#, r#"m0 -6h24v12h-24zl12 12m-6 -12l12 12m-6 -12l12 12"/>"#],
+    [
+        r#"<g class="annotations"><path class="dimension" fill="none" d="M"#,
+        r#"m5 -6l14 2l-2 11l-14 -2z"/></g>"#,
+    ],
 ];
 
 impl Drawing {
@@ -108,7 +112,9 @@ impl Drawing {
             there[7] = work.milled.is_some();
         }
         there[8] = self.apart.has_passes;
-        there[9] = options.annotations.iter().any(|own| matches!(own.shape, Shape::Zone { .. }));
+        let has = |is_meant: fn(&Shape) -> bool| options.annotations.iter().any(|own| is_meant(&own.shape));
+        there[9] = has(|shape| matches!(shape, Shape::Zone { .. }));
+        there[10] = has(|shape| matches!(shape, Shape::Outline(_)));
         there
     }
 }
