@@ -1,7 +1,6 @@
 //! The pages of the rules, which the build script takes from `src/rules`.
 //!
-//! In: a slug. Out: the page of the rule: title, texts, examples; its address in a folder of rule pages. Must
-//! not know: how a page or a report is written.
+//! In: a slug. Out: the page of the rule: title, texts, examples. Must not know: how a page or a report is written.
 
 use crate::sentences::Language;
 
@@ -49,12 +48,6 @@ impl Page {
     }
 }
 
-/// The address of the page of a rule. `folder`: the address of the folder `rules` of the site, which contains
-/// a folder for each language.
-pub(super) fn address(folder: &str, slug: &str, language: Language) -> String {
-    format!("{}/{}/{slug}.html", folder.trim_end_matches('/'), language.tag())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -66,13 +59,5 @@ mod tests {
         assert_eq!(PAGES.iter().map(|page| page.slug).collect::<Vec<_>>(), slugs);
         assert!(slugs.iter().all(|slug| Page::of(slug).is_some_and(|page| page.slug == *slug)));
         assert!(Page::of("no-such-rule").is_none());
-    }
-
-    #[test]
-    fn a_page_is_in_the_folder_of_its_language() {
-        let page = |folder: &str, language| address(folder, "number-missing", language);
-        let chinese = "https://a.example/rules/zh/number-missing.html";
-        assert_eq!(page("https://a.example/rules", Language::Chinese), chinese);
-        assert_eq!(page("https://a.example/rules/", Language::Chinese), chinese);
     }
 }

@@ -29,8 +29,8 @@ pub struct Client {
     pub encoding: Encoding,
     /// The language of the user.
     pub language: Language,
-    /// The address of the site with the rule pages, without the last slash.
-    pub pages: Option<String>,
+    /// The address of the folder with the rule pages.
+    pub rules_url: Option<String>,
     /// Whether it asks for diagnostics; otherwise they are sent.
     pub pulls_diagnostics: bool,
     /// Whether it supports `workspace/diagnostic/refresh`.
@@ -78,7 +78,7 @@ impl Client {
         Self {
             encoding,
             language: at("/locale").as_str().map_or(Language::default(), Language::from_tag),
-            pages: at("/initializationOptions/pages").as_str().map(site),
+            rules_url: at("/initializationOptions/pages").as_str().map(rules_of_site),
             pulls_diagnostics: at(&format!("{document}/diagnostic")).is_object(),
             refreshes_diagnostics: has("/capabilities/workspace/diagnostics/refreshSupport"),
             refreshes_hints: has("/capabilities/workspace/inlayHint/refreshSupport"),
@@ -103,7 +103,7 @@ impl Client {
     }
 }
 
-/// The address of a site, without the last slash.
-pub fn site(address: &str) -> String {
-    address.trim_end_matches('/').to_owned()
+/// The address of the folder with the rule pages of a site.
+fn rules_of_site(address: &str) -> String {
+    format!("{}/rules", address.trim_end_matches('/'))
 }

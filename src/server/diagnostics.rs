@@ -60,10 +60,10 @@ pub fn diagnostic(asked: &Asked, found: &message::Diagnostic) -> Diagnostic {
     }
 }
 
-/// The address of the page of a rule; `None` if no site is known.
+/// The address of the page of a rule; `None` if the folder is not known.
 pub fn rule_page(asked: &Asked, slug: &str) -> Option<String> {
-    let site = asked.client.pages.as_ref()?;
-    Some(format!("{site}/rules/{}/{slug}.html", asked.language.tag()))
+    let folder = asked.client.rules_url.as_ref().or(asked.document.settings().rules_url.as_ref())?;
+    Some(asked.language.rule_page(folder, slug))
 }
 
 fn severity(severity: Severity) -> DiagnosticSeverity {

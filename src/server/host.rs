@@ -16,6 +16,8 @@ pub struct Settings {
     pub select: Vec<&'static str>,
     /// The language of the messages, if it is set.
     pub language: Option<Language>,
+    /// The address of the folder with the rule pages, if it is set.
+    pub rules_url: Option<String>,
 }
 
 impl Settings {

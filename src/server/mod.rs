@@ -53,8 +53,8 @@ use tasks::{Subject, Task};
 pub struct Options {
     /// The language of all texts; otherwise that of the configuration, or else that of the client.
     pub language: Option<Language>,
-    /// The address of a site that has the rule pages; otherwise that which the client gives.
-    pub pages: Option<String>,
+    /// The address of the folder with the rule pages; otherwise that of the client, or else of the configuration.
+    pub rules_url: Option<String>,
 }
 
 /// What a server has to do.
@@ -191,8 +191,8 @@ impl<H: Host> Server<H> {
             return Err(Failure::new(Reason::InvalidParams, "the parameters are an object"));
         }
         self.client = Client::read(params);
-        if let Some(pages) = &self.options.pages {
-            self.client.pages = Some(client::site(pages));
+        if self.options.rules_url.is_some() {
+            self.client.rules_url = self.options.rules_url.clone();
         }
         self.phase = Phase::Running;
         serde_json::to_value(capabilities::initialize_result(&self.client))

@@ -32,7 +32,8 @@ impl Host for Files<'_> {
         let keys = settings.configuration.as_ref().map(|configuration| &configuration.keys);
         let language = keys.and_then(|keys| keys.language.as_ref()).map(|said| said.value);
         let setup = Selection::default().setup(&settings);
-        Ok(Settings { setup, select: settings.select.clone(), language })
+        let rules_url = keys.and_then(|keys| keys.rules_url.as_ref()).map(|said| said.value.clone());
+        Ok(Settings { setup, select: settings.select.clone(), language, rules_url })
     }
 
     fn with_subprograms(&self, address: &str, text: &[u8], most: usize) -> Option<Joined> {

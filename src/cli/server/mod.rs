@@ -13,9 +13,9 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-use super::Status;
 use super::options::{LanguageOptions, ProgramOptions};
 use super::system::{self, Stream};
+use super::{Status, configuration};
 use crate::server::{Options, Pending, Server};
 use files::Files;
 
@@ -32,9 +32,9 @@ pub(super) struct Serve {
     with: ProgramOptions,
     #[command(flatten)]
     texts: LanguageOptions,
-    /// The address of a site that has the playground: messages link to the pages of their rules there.
-    #[arg(long, value_name = "ADDRESS")]
-    pages: Option<String>,
+    /// The address of the rule pages, a folder `rules` of the site: messages then link to the page of each rule.
+    #[arg(long, value_name = "ADDRESS", value_parser = configuration::web_address)]
+    rules_url: Option<String>,
 }
 
 /// A message, or the error that ends the stream.
@@ -42,7 +42,7 @@ type Read = io::Result<Vec<u8>>;
 
 /// Runs `server` until the client ends it.
 pub(super) fn run(serve: &Serve) -> Result<Status, String> {
-    let options = Options { language: serve.texts.given(), pages: serve.pages.clone() };
+    let options = Options { language: serve.texts.given(), rules_url: serve.rules_url.clone() };
     let server = Server::new(Files::new(&serve.with)?, options);
     let (send, receive) = mpsc::sync_channel(MAX_WAITING);
     // The thread ends with the process: it may wait for input forever.

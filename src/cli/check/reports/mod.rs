@@ -18,7 +18,7 @@ use std::io::{self, Write};
 use clap::ValueEnum;
 use serde_json::Value;
 
-use super::super::rule_page::{self, Page};
+use super::super::rule_page::Page;
 use super::super::system::{self, Stream};
 use super::super::{counted, terminal, write_row};
 use super::finding::{Finding, Programs, Remark, Subject, What};
@@ -273,7 +273,7 @@ impl Report {
         let (slug, language) = (&row.slug, self.wanted.language);
         let title = Page::of(slug).map_or("", |page| page.text(language).title);
         let folder = self.wanted.rules_url.as_deref();
-        let url = folder.map(|folder| rule_page::address(folder, slug, language));
+        let url = folder.map(|folder| language.rule_page(folder, slug));
         OfRule { row, title, url }
     }
 

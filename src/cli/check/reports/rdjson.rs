@@ -6,7 +6,6 @@
 use serde_json::{Value, json};
 
 use super::{Places, api, list, sentence};
-use crate::cli::rule_page;
 use crate::message::Severity;
 use crate::sentences::Language;
 
@@ -25,7 +24,7 @@ pub(super) fn diagnostics(
     let found = rows.map(|row| {
         let mut code = json!({"value": row.slug});
         if let Some(folder) = pages {
-            code["url"] = rule_page::address(folder, &row.slug, language).into();
+            code["url"] = language.rule_page(folder, &row.slug).into();
         }
         let place = [(row.line, row.column), (row.end_line, row.end_column)];
         let severity = Severity::named(&row.severity).unwrap_or(Severity::Info);

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::{Counts, address, api, list};
 use crate::cli::markdown;
-use crate::cli::rule_page::{self, Page, Text};
+use crate::cli::rule_page::{Page, Text};
 use crate::message::{RULES, Rule, Severity};
 use crate::sentences::Language;
 
@@ -40,7 +40,7 @@ fn rule(rule: &Rule, pages: Option<&str>, language: Language) -> Value {
         object["help"] = json!({"text": format!("{why}\n\n{repair}"), "markdown": paragraphs});
     }
     if let Some(folder) = pages {
-        object["helpUri"] = rule_page::address(folder, rule.slug, language).into();
+        object["helpUri"] = language.rule_page(folder, rule.slug).into();
     }
     object
 }
