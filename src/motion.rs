@@ -913,7 +913,9 @@ impl Chunk {
         };
         let Self { kind, x, z, rows, processes, centers, numbers, .. } = self;
         let Self { start, starts, programmed, rotary, lead_changes, start_angles, stops, .. } = self;
-        (start, starts, programmed, rotary) == (&other.start, &other.starts, &other.programmed, &other.rotary)
+        self.incomplete == other.incomplete
+            && (start, starts, programmed, rotary)
+                == (&other.start, &other.starts, &other.programmed, &other.rotary)
             && (lead_changes, start_angles) == (&other.lead_changes, &other.start_angles)
             && kinds(stops) == kinds(&other.stops)
             && (kind, x, z, rows) == (&other.kind, &other.x, &other.z, &other.rows)

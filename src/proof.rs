@@ -122,13 +122,9 @@ impl Comparison {
         Self { switches, before, after: run.repeated(after, own), stage: Stage::Runs }
     }
 
-    /// The changed text.
-    pub fn changed(&self) -> &[u8] {
-        self.after.text()
-    }
-
-    /// Compares in one slice of at most `blocks` blocks. `run`: the run that the comparison began with. Ready with
-    /// the first difference; with `None` if both texts are the same program.
+    /// Compares in one slice of at most `blocks` blocks; the motions, and the references, each in a slice. `run`: the
+    /// run that the comparison began with, unchanged. Ready with the first difference; with `None` if both texts are
+    /// the same program.
     pub fn advance(&mut self, run: &Run, blocks: usize) -> Poll<Option<Difference>> {
         match self.stage {
             Stage::Runs => self.advance_runs(run, blocks),
@@ -235,6 +231,7 @@ fn difference_of_runs(before: &Run, after: &Run) -> Option<Difference> {
     };
     let is_same = before.code_list() == after.code_list()
         && before.state().unit == after.state().unit
+        && before.inferred_rule() == after.inferred_rule()
         && before.motions().len() == after.motions().len()
         && stops(before) == stops(after);
     let messages = |run: &Run| -> Vec<String> { run.diagnostics().iter().map(|told| told.code()).collect() };

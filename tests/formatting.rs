@@ -13,6 +13,7 @@ use gcode_playground::message::applied;
 use gcode_playground::proof::{Difference, difference};
 use gcode_playground::run::Run;
 use gcode_playground::setup::Setup;
+use gcode_playground::setup::dialect::DecimalRule;
 use proptest::prelude::*;
 use random_programs::{any_setup, piece, program, small};
 
@@ -67,6 +68,16 @@ fn check_runs_the_same(text: &[u8], setup: &Setup) -> Result<(), String> {
         Some(Difference::Messages) if !analyze(text, setup).diagnostics.is_empty() => Ok(()),
         Some(found) => shown(&format!("{found:?}")),
     }
+}
+
+/// Numbers are read in the first 256 KB of a text only: the blanks push the evidence for least increments out of it.
+#[test]
+fn a_program_whose_numbers_would_be_read_in_another_unit_stays() {
+    let compact = "G1X100.Z-3.\n".repeat(21_800);
+    let text = format!("{compact}X50000\nU1\n").into_bytes();
+    let run = Run::finished(text.clone(), Setup::default());
+    assert_eq!(run.decimal_rule(), DecimalRule::LeastIncrement);
+    assert!(matches!(difference(&run, formatted(&text)), Some(Difference::Motions(_))));
 }
 
 #[test]

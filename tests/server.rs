@@ -99,6 +99,35 @@ fn a_request_can_be_cancelled_and_is_given_up_when_its_document_changes() {
     assert_eq!(answers.count(), 1, "each request has one answer");
 }
 
+#[test]
+fn a_long_request_is_answered_in_slices_and_can_be_cancelled() {
+    // More blocks than one slice has.
+    let text = format!("GOTO 1\nN1\n{}M30\n", "G1 X10. Z-5. F.1\n".repeat(250_000));
+    let mut client = Client::new();
+    client.open(&text);
+    let rename =
+        json!({"textDocument": {"uri": PART}, "position": {"line": 1, "character": 1}, "newName": "N5"});
+    let format = json!({"textDocument": {"uri": PART}, "options": {"tabSize": 4, "insertSpaces": true}});
+    for (method, params) in [("textDocument/formatting", format), ("textDocument/rename", rename)] {
+        client.received.clear();
+        let id = client.begin(method, params.clone());
+        assert!(client.server.work().is_empty(), "{method} takes more than one slice");
+        assert!(!client.server.is_idle(), "{method} waits");
+        client.notify("$/cancelRequest", json!({"id": id}));
+        assert_eq!(
+            (&client.received[0]["id"], &client.received[0]["error"]["code"]),
+            (&json!(id), &json!(-32800))
+        );
+        assert_eq!(client.received.len(), 1, "{method} has one answer");
+        // Settings that change between two slices: the answer begins again.
+        let id = client.begin(method, params);
+        client.server.work();
+        client.notify("workspace/didChangeConfiguration", json!({"settings": {}}));
+        let answer = client.received.iter().find(|message| message["id"] == id).expect("an answer");
+        assert!(answer["result"].is_array() || answer["result"].is_object(), "{method}: {answer}");
+    }
+}
+
 // ---- messages -------------------------------------------------------------------------------------
 
 #[test]

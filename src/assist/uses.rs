@@ -5,13 +5,13 @@
 
 use std::ops::Range;
 
-use memchr::memmem::Finder;
 use memchr::{memchr, memchr3};
 
 use super::names::{Computed, Name, Named, computed, names};
 use crate::setup::dialect::CodeList;
 use crate::source::{Span, line_around};
 use crate::text::block::Block;
+use crate::text::lexer::is_blank;
 use crate::text::parser::{Parser, Resume};
 use crate::text::program_name;
 
@@ -78,18 +78,18 @@ pub fn is_local(name: Name) -> bool {
 
 /// All positions of a name, each with the index of its program in the text, from 0.
 pub fn all(text: &[u8], codes: CodeList, name: Name) -> Vec<(Named, u32)> {
-    let digits = name.number().to_string();
-    let finder = Finder::new(&digits);
+    let digits = name.number().to_string().into_bytes();
     let number = |from| {
-        let is_meant = |at| may_be_a_name(text, at..at + digits.len());
-        first_where(text, from, |rest| finder.find(rest), is_meant)
+        let is_meant =
+            |at: usize| text[at..].starts_with(&digits) && may_be_a_name(text, at..at + digits.len());
+        first_where(text, from, |rest| memchr(digits[0], rest), is_meant)
     };
-    let lines = match name {
+    let with_name = match name {
         Name::Program(number) if program_name::is_name(number) => lines(text, |_| None),
         _ => lines(text, number),
     };
     let (mut found, mut programs) = (Vec::new(), ProgramCount::new(text));
-    for line in lines {
+    for line in with_name {
         read_line(text, line, codes, |named, block| {
             let program = programs.index_of(text, block);
             found.extend(named.into_iter().filter(|named| named.name == name).map(|named| (named, program)));
@@ -217,10 +217,15 @@ fn blocks(text: &[u8], line: Span, mut take: impl FnMut(&Block)) {
     }
 }
 
-/// Whether there are only blanks and `%` before a byte in its block.
+/// Whether a program number may begin at a byte: there is nothing before it in its block but blanks, `%`, comments and
+/// a slash with its level.
 fn begins_block(text: &[u8], byte: usize) -> bool {
-    let before = text[..byte].iter().rev().find(|byte| !matches!(byte, b' ' | b'\t' | b'%'));
-    before.is_none_or(|byte| matches!(byte, b'\n' | b'\r' | b';'))
+    let mut before = text[..byte].iter().rev().skip_while(|byte| is_blank(**byte) || **byte == b'%');
+    match before.next() {
+        None | Some(b'\n' | b'\r' | b';' | b')' | b'/') => true,
+        Some(b'1'..=b'9') => before.next() == Some(&b'/'),
+        Some(_) => false,
+    }
 }
 
 /// Whether digits end a number that N, O, P, Q, GOTO, `:` or `#` may precede: not that of another address, and
@@ -234,6 +239,8 @@ fn may_be_a_name(text: &[u8], digits: Range<usize>) -> bool {
     is_end()
         && before().is_none_or(|byte| match byte.to_ascii_uppercase() {
             b'N' | b'O' | b'P' | b'Q' => true,
-            byte => byte != b'.' && !byte.is_ascii_uppercase(),
+            // `.0` is the number 0.
+            b'.' => text[digits.clone()] == *b"0",
+            byte => !byte.is_ascii_uppercase(),
         })
 }

@@ -13,7 +13,7 @@ pub struct Question {
     /// The place of the question.
     byte: u32,
     replay: Option<Replay>,
-    /// The last replay that has found its block.
+    /// The last replay, if it can continue.
     ended: Option<Replay>,
     found: Option<(RunId, VisitChoice, Found)>,
 }
@@ -48,7 +48,7 @@ impl Question {
         let Some(mut replay) = self.replay.take() else { return true };
         if current.advance_replay(&mut replay, blocks) {
             self.found = Some((current.run().id(), replay.choice(), replay.found()));
-            self.ended = Some(replay);
+            self.ended = replay.can_continue().then_some(replay);
             return true;
         }
         self.replay = Some(replay);

@@ -348,6 +348,11 @@ impl Run {
         self.decided
     }
 
+    /// The decimal rule that a new run of the text would decide; `None` if the setup fixes it.
+    pub fn inferred_rule(&self) -> Option<DecimalRule> {
+        self.decided.map(|_| provenance::numbers(&self.text).rule())
+    }
+
     /// The given setup with the decimal rule that was decided for the program, so that another run of the
     /// text reads its numbers in the same way.
     pub fn setup_to_repeat(&self) -> Setup {
@@ -388,11 +393,9 @@ impl Run {
     /// Decides the decimal rule again, for the current text, and restarts the run if the rule changes.
     /// Returns whether it restarted.
     pub fn reinfer_decimal_rule(&mut self) -> bool {
-        let Some(before) = self.decided else { return false };
-        let rule = provenance::numbers(&self.text).rule();
-        if rule == before {
+        let Some(rule) = self.inferred_rule().filter(|rule| Some(*rule) != self.decided) else {
             return false;
-        }
+        };
         *self = Self::begin(self.take_text(), self.given.clone(), Some(rule));
         true
     }

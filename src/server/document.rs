@@ -15,7 +15,7 @@ use super::positions::{Encoding, Positions};
 use crate::control::program::may_call;
 use crate::current::Current;
 use crate::current::question::Question;
-use crate::message::{Diagnostic, sort_by_place};
+use crate::message::{Diagnostic, Edit, applied, sort_by_place};
 use crate::run::replay::{Found, VisitChoice};
 use crate::run::subprograms::Joined;
 use crate::run::{Run, RunId};
@@ -116,6 +116,19 @@ impl Document {
     /// The run. Its text may continue after that of the document.
     pub fn run(&self) -> &Run {
         self.current.run()
+    }
+
+    /// Whether the run continues in subprograms from other files.
+    pub fn has_subprograms(&self) -> bool {
+        self.apart.is_some()
+    }
+
+    /// The text of the run with edits of the text. With subprograms, a run does not contain what follows the program
+    /// (a final `%`).
+    pub fn changed_run(&self, edits: &[Edit]) -> Vec<u8> {
+        let end = self.end_of_program();
+        let own = edits.partition_point(|edit| edit.span.end <= end);
+        applied(self.run().text(), &edits[..own])
     }
 
     /// How it is run and checked.

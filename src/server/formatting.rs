@@ -15,35 +15,44 @@ use crate::format;
 use crate::proof::{Comparison, Difference};
 use crate::sentences::server;
 
+/// A formatted text that is being compared.
+pub struct Formatting {
+    text: Vec<u8>,
+    comparison: Comparison,
+}
+
+impl Formatting {
+    /// `None` if the text stays as it is.
+    fn begin(asked: &Asked) -> Option<Self> {
+        let (run, text) = (asked.document.run(), format::formatted(asked.text()));
+        if text == asked.text() {
+            return None;
+        }
+        let changed = match asked.document.has_subprograms() {
+            true => asked.document.changed_run(&format::edits(asked.text())),
+            false => text.clone(),
+        };
+        Some(Self { text, comparison: Comparison::new(run, changed) })
+    }
+}
+
 /// The answer to `textDocument/formatting`, in slices. The options of the editor, such as the width of a tab, have
 /// no effect.
 pub fn formatting(
-    comparison: &mut Option<Comparison>,
+    formatting: &mut Option<Formatting>,
     asked: &Asked,
     _: &DocumentFormattingParams,
 ) -> Progress<Option<Vec<TextEdit>>> {
-    let (run, text) = (asked.document.run(), asked.text());
-    let comparison = match comparison {
-        Some(begun) => begun,
-        None => {
-            let mut changed = format::formatted(text);
-            if changed == text {
-                return Poll::Ready(Ok(Some(Vec::new())));
-            }
-            // Subprograms from other files follow the text.
-            changed.extend_from_slice(&run.text()[text.len()..]);
-            comparison.insert(Comparison::new(run, changed))
-        }
+    if formatting.is_none() {
+        *formatting = Formatting::begin(asked);
+    }
+    let Some(Formatting { text, comparison }) = formatting else {
+        return Poll::Ready(Ok(Some(Vec::new())));
     };
-    let found = ready!(comparison.advance(run, BLOCKS));
+    let found = ready!(comparison.advance(asked.document.run(), BLOCKS));
     Poll::Ready(match found {
         Some(found) => Err(refused(asked, found)),
-        None => {
-            let subprograms = run.text().len() - text.len();
-            let changed = comparison.changed();
-            let own = &changed[..changed.len() - subprograms];
-            Ok(Some(asked.text_edits(&changed_lines(text, own))))
-        }
+        None => Ok(Some(asked.text_edits(&changed_lines(asked.text(), text)))),
     })
 }
 

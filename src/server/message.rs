@@ -45,7 +45,7 @@ pub enum Reason {
     RequestFailed = -32803,
 }
 
-/// The result of a slice of work: that of the request, once it is ready.
+/// Pending, or the result of a request.
 pub type Progress<T> = Poll<Result<T, Failure>>;
 
 /// The error of a request.

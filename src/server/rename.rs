@@ -13,7 +13,7 @@ use super::context::Asked;
 use super::document::BLOCKS;
 use super::message::{Failure, Progress, Reason};
 use crate::assist::rename::{Refusal, renamed, renamed_at};
-use crate::message::{Edit, applied};
+use crate::message::Edit;
 use crate::rewrite::same_motions;
 use crate::run::Run;
 use crate::sentences::server;
@@ -52,8 +52,8 @@ pub fn rename(
                 Ok(edits) => edits,
                 Err(refusal) => return Poll::Ready(Err(refused(asked, &refusal))),
             };
-            // Subprograms from other files follow the text.
-            let after = run.repeated(applied(run.text(), &edits), run.setup_to_repeat().block_skip);
+            let after = asked.document.changed_run(&edits);
+            let after = run.repeated(after, run.setup_to_repeat().block_skip);
             renaming.insert(Renaming { edits, after })
         }
     };

@@ -126,6 +126,47 @@ fn the_exit_status_tells_how_the_session_ended() {
 }
 
 #[test]
+fn a_program_with_subprograms_is_changed_up_to_its_end() {
+    let (_, address) = folder("server end", &[("O2000.nc", "O2000\nG01 W-5 F0.1\nM99\n")]);
+    let program = "%\nO1\nT0101 M03 S800\ng0 X50 Z2\nM98 P2000\nGOTO 10\nN10 X60\nM30\n%\n";
+    for notes in ["", "GOTO 10\n", &"(these notes are longer than the subprogram)\nGOTO 10\n".repeat(3)] {
+        let mut server = Running::new(&[]);
+        server.begin();
+        let uri = format!("{address}/part.nc");
+        assert_eq!(server.open(&uri, &format!("{program}{notes}")), Vec::<Value>::new(), "O2000 is found");
+        let document = json!({"uri": uri});
+        let options = json!({"tabSize": 4, "insertSpaces": true});
+        let params = json!({"textDocument": document, "options": options});
+        server.send(&json!({"id": 1, "method": "textDocument/formatting", "params": params}));
+        let formatted = server.receive();
+        let edit = json!([{"range": range((3, 0), (3, 9)), "newText": "G00 X50 Z2"}]);
+        assert_eq!(formatted["result"], edit, "{notes:?}: {formatted}");
+        let params =
+            json!({"textDocument": document, "position": {"line": 6, "character": 1}, "newName": "N20"});
+        server.send(&json!({"id": 2, "method": "textDocument/rename", "params": params}));
+        let renamed = server.receive();
+        assert!(renamed["result"]["changes"][&uri].is_array(), "{notes:?}: {renamed}");
+        assert_eq!(server.end(), Some(0));
+    }
+}
+
+#[test]
+fn messages_lead_to_the_folder_of_the_option() {
+    let (_, address) =
+        folder("server rules", &[("gcode-playground.toml", "rules-url = \"https://b.example\"\n")]);
+    for (arguments, folder) in
+        [(&[][..], "https://b.example"), (&["--rules-url", "https://a.example/r"], "https://a.example/r")]
+    {
+        let mut server = Running::new(arguments);
+        server.begin();
+        let found = server.open(&format!("{address}/part.nc"), "O1\nT0101 M3 S800\nG00 X50 Z2\n");
+        let page = format!("{folder}/en/no-program-end.html");
+        assert_eq!(found[0]["codeDescription"]["href"], page);
+        assert_eq!(server.end(), Some(0));
+    }
+}
+
+#[test]
 fn configuration_and_subprograms_are_those_of_check() {
     let toml = "ignore = [\"no-program-end\"]\nlanguage = \"ru\"\n";
     let files = [("gcode-playground.toml", toml), ("O2000.nc", "O2000\nG01 W-5 F0.1\nM99\n")];
@@ -143,12 +184,14 @@ fn configuration_and_subprograms_are_those_of_check() {
         Vec::<Value>::new(),
         "the rule is off"
     );
-    fs::write(folder.join("gcode-playground.toml"), "language = \"ru\"\n").expect("a configuration");
+    let toml = "language = \"ru\"\nrules-url = \"https://a.example/rules/\"\n";
+    fs::write(folder.join("gcode-playground.toml"), toml).expect("a configuration");
     server.send(&json!({"method": "workspace/didChangeWatchedFiles", "params": {"changes": []}}));
     let told = server.receive();
     let found = &told["params"]["diagnostics"][0];
     assert_eq!(found["code"], "W-NO-END", "{told}");
     assert!(found["message"].as_str().is_some_and(|text| text.contains("программ")), "{found}");
+    assert_eq!(found["codeDescription"]["href"], "https://a.example/rules/ru/no-program-end.html");
     fs::write(folder.join("gcode-playground.toml"), "colour = 3\n").expect("a configuration");
     server.send(&json!({"method": "workspace/didChangeWatchedFiles", "params": {"changes": []}}));
     let shown = server.receive();

@@ -1,10 +1,10 @@
 //! In: the whole working tree. Out: whether all checks pass. Stops at the first step that fails.
 //!
 //! `cargo xtask test` checks a change in minutes; `--native` and `--page` are its halves, for parallel jobs.
-//! `--all` adds checks that are slow or that a change rarely breaks: the fuzz targets, the hostile programs,
-//! a long program in the language server, the packages for other projects, the command line under Node, the recipes for manuals, the checks in a
-//! repository, the server in editors, the extension for Visual Studio Code, and every browser test in three
-//! engines.
+//! `--all` adds checks that are slow or that a change rarely breaks: the fuzz targets, the hostile programs, a
+//! long program in the language server, the packages for other projects, the command line under Node, the
+//! recipes for manuals, the checks in a repository, the server in editors, the extension for Visual Studio
+//! Code, and every browser test in three engines.
 
 use std::env;
 use std::path::PathBuf;

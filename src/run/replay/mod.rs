@@ -127,7 +127,8 @@ impl Run {
         let between = earlier.run.at.byte..=place.start.byte;
         let has_snapshot =
             self.last_checkpoint(place.start.byte).is_some_and(|last| between.contains(&last.byte()));
-        if has_snapshot || !earlier.can_continue(self.id, place.start.byte) {
+        let is_later = earlier.of == self.id && earlier.run.at.byte <= place.start.byte;
+        if has_snapshot || !is_later || !earlier.can_continue() {
             return self.replay_to(place, choice);
         }
         let mut replay =
@@ -258,10 +259,11 @@ impl Replay {
         Found { place: place.clone(), visits: *visits, visit: visit.clone(), read_by: *read_by }
     }
 
-    /// Whether the replay can continue to the block at a byte: so far, it has executed the blocks in text order.
-    fn can_continue(&self, of: RunId, byte: u32) -> bool {
-        let is_before = self.run.at.byte <= byte && !self.run.ended && !self.run.finished;
-        self.of == of && self.is_done && is_before && self.run.interpreter.is_in_linear_order()
+    /// Whether the replay can continue to a later block: it has executed its block, and all blocks before it in text
+    /// order.
+    pub fn can_continue(&self) -> bool {
+        let has_ended = self.run.ended || self.run.finished;
+        self.is_done && self.visits > 0 && !has_ended && self.run.interpreter.is_in_linear_order()
     }
 
     /// Records when a cycle reads the block as a part of its contour.
@@ -461,6 +463,24 @@ mod tests {
             assert_eq!(found(&mut run, line, VisitChoice::Usual).visits, 0, "line {line}");
         }
         assert_eq!(found(&mut run, 4, VisitChoice::Usual).visits, 1);
+    }
+
+    #[test]
+    fn a_program_for_another_control_is_never_executed() {
+        let text = "G18 G90 G95 DIAMON\nT1 D1\nG0 X46 Z2\nG1 Z-5 F0.1\nM30\n";
+        let mut run = ended(text, Setup::default());
+        assert!(run.foreign().is_some());
+        let mut earlier: Option<Replay> = None;
+        for line in [2, 3] {
+            let line = begin_of_line(text, line);
+            let mut replay = match earlier.take() {
+                Some(earlier) => run.replay_after(earlier, line, line.byte, VisitChoice::Usual),
+                None => run.replay(line, line.byte, VisitChoice::Usual),
+            };
+            while !run.advance_replay(&mut replay, 1) {}
+            assert_eq!(replay.found().visits, 0);
+            earlier = Some(replay);
+        }
     }
 
     #[test]
